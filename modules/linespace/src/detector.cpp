@@ -1,0 +1,523 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// The public detector: checks arguments, keeps parameters, chooses the back end and calls the stages in
+// order. No mathematics of its own.
+
+#include "acontrario.hpp"
+#include "backends.hpp"
+#include "line_geometry.hpp"
+#include "peaks.hpp"
+#include "refine.hpp"
+#include "stages.hpp"
+
+#include <climits>
+#include <cmath>
+
+namespace cv {
+namespace linespace {
+
+namespace {
+
+//! Throws unless low <= value <= high; NaN is outside of any range.
+template <class Value> void checkRange(Value value, Value low, Value high, const char* name, const char* allowed)
+{
+    if (!(value >= low && value <= high))
+        CV_Error_(Error::StsOutOfRange, ("%s = %g: must be %s", name, (double)value, allowed));
+}
+
+void checkImage(const Mat& image, const char* name)
+{
+    if (image.empty())
+        CV_Error_(Error::StsBadSize, ("%s is empty: must be at least 1 x 1", name));
+    if (image.type() != CV_8UC1)
+        CV_Error_(Error::StsUnsupportedFormat, ("%s has %d dimensions and type %s: must be CV_8UC1 with two dimensions",
+                                                name, image.dims, typeToString(image.type()).c_str()));
+    if (image.dims != 2)
+        CV_Error_(Error::StsBadSize, ("%s has %d dimensions: must be two", name, image.dims));
+}
+
+struct Parameters
+{
+    int threshold, maxLines, method, cellSize, backend, suppression, suppressionRadius, refine, poolSize, memoryLimit;
+    double suppressionDistance, candidateRatio, minTheta, maxTheta, falseAlarms;
+    bool edgeWeights;
+
+    Parameters()
+        : threshold(0), maxLines(0), method(METHOD_CASCADED), cellSize(8), backend(BACKEND_AUTO),
+          suppression(SUPPRESS_RING), suppressionRadius(2), refine(REFINE_LEAST_SQUARES), poolSize(4096),
+          memoryLimit(8192), suppressionDistance(3), candidateRatio(0.75), minTheta(0), maxTheta(CV_PI),
+          falseAlarms(1), edgeWeights(false)
+    {
+    }
+
+    void check() const
+    {
+        const double most = std::numeric_limits<double>::max();
+        checkRange(threshold, 0, INT_MAX, "threshold", "0 or more votes");
+        checkRange(maxLines, 0, INT_MAX, "maxLines", "0 (all) or more");
+        checkRange(method, (int)METHOD_EXACT, (int)METHOD_CASCADED, "method", "METHOD_EXACT (0) or METHOD_CASCADED (1)");
+        checkRange(cellSize, 2, 64, "cellSize", "2 to 64 pixels");
+        checkRange(backend, (int)BACKEND_AUTO, (int)BACKEND_OPENGL, "backend", "one of enum Backend, 0 to 4");
+        checkRange(suppression, (int)SUPPRESS_RING, (int)SUPPRESS_GREEDY, "suppression", "one of enum Suppression, 0 to 2");
+        checkRange(suppressionRadius, 0, 64, "suppressionRadius", "0 to 64 border points");
+        checkRange(suppressionDistance, 0., most, "suppressionDistance", "0 or more pixels, finite");
+        checkRange(refine, (int)REFINE_NONE, (int)REFINE_LEAST_SQUARES, "refine", "REFINE_NONE (0) or REFINE_LEAST_SQUARES (1)");
+        checkRange(candidateRatio, 0., 1., "candidateRatio", "0 to 1");
+        checkRange(poolSize, 1, INT_MAX, "poolSize", "1 or more");
+        checkRange(minTheta, -1e6, 1e6, "minTheta", "a finite angle in radians, at most 1e6 in size");
+        checkRange(maxTheta, -1e6, 1e6, "maxTheta", "a finite angle in radians, at most 1e6 in size");
+        if (minTheta > maxTheta)
+            CV_Error_(Error::StsOutOfRange, ("minTheta = %g is larger than maxTheta = %g: must not be", minTheta, maxTheta));
+        checkRange(falseAlarms, std::numeric_limits<double>::min(), most, "falseAlarms", "more than 0, finite");
+        checkRange(memoryLimit, 1, INT_MAX, "memoryLimit", "1 MiB or more");
+    }
+};
+
+//! Clears a table's row of cells and writes both triangles of one cell into the output.
+void writeCell(const VoteTable& table, const Cell& cell, size_t cellIndex, Mat out)
+{
+    out.setTo(0);
+    size_t chord = 0;
+    for (int s = 0; s < cell.firstPoint(SIDE_LEFT); ++s)
+    {
+        int* row = out.ptr<int>(s);
+        for (int e = cell.firstPartner(cell.sideOf(s)); e < cell.borderCount(); ++e, ++chord)
+        {
+            row[e] = table.at(chord, cellIndex);
+            out.ptr<int>(e)[s] = row[e];
+        }
+    }
+}
+
+class LineSpaceDetectorImpl CV_FINAL : public LineSpaceDetector
+{
+public:
+    explicit LineSpaceDetectorImpl(const Parameters& parameters) : parameters_(parameters), activeBackend_(-1) {}
+
+    void detect(InputArray edges, OutputArray lines) CV_OVERRIDE
+    {
+        checkOutput(lines);
+        EdgeMap map;
+        const Ptr<const Plan> plan = count(edges, -1, map);
+        std::vector<Vec3f> found;
+        findLines(map, *plan, found);
+        writeLines(found, lines);
+    }
+
+    void compute(InputArray edges, OutputArray lineSpace) CV_OVERRIDE { writeLevel(edges, -1, lineSpace); }
+
+    void computeLevel(InputArray edges, int level, OutputArray cascade) CV_OVERRIDE
+    {
+        checkRange(level, 0, 62, "level", "0 to getLevelCount() - 1");
+        writeLevel(edges, level, cascade);
+    }
+
+    Size getFrameSize() const CV_OVERRIDE
+    {
+        return plan_ ? Size(plan_->frame().width, plan_->frame().height) : Size();
+    }
+    int getLevelCount() const CV_OVERRIDE { return plan_ ? plan_->levelCount() : 0; }
+    Size getLevelCellSize(int level) const CV_OVERRIDE
+    {
+        const Cell cell = levelOf(level).cell;
+        return Size(cell.width, cell.height);
+    }
+    Size getLevelGridSize(int level) const CV_OVERRIDE { return levelOf(level).grid; }
+    int getActiveBackend() const CV_OVERRIDE { return activeBackend_; }
+
+#define LINESPACE_PARAMETER(Type, Name, name)                                                                  \
+    void set##Name(Type value) CV_OVERRIDE                                                                     \
+    {                                                                                                          \
+        Parameters changed = parameters_;                                                                      \
+        changed.name = value;                                                                                  \
+        changed.check();                                                                                       \
+        parameters_ = changed;                                                                                 \
+    }                                                                                                          \
+    Type get##Name() const CV_OVERRIDE { return parameters_.name; }
+
+    LINESPACE_PARAMETER(int, Threshold, threshold)
+    LINESPACE_PARAMETER(int, MaxLines, maxLines)
+    LINESPACE_PARAMETER(int, Method, method)
+    LINESPACE_PARAMETER(int, CellSize, cellSize)
+    LINESPACE_PARAMETER(int, Backend, backend)
+    LINESPACE_PARAMETER(int, Suppression, suppression)
+    LINESPACE_PARAMETER(int, SuppressionRadius, suppressionRadius)
+    LINESPACE_PARAMETER(double, SuppressionDistance, suppressionDistance)
+    LINESPACE_PARAMETER(int, Refine, refine)
+    LINESPACE_PARAMETER(double, CandidateRatio, candidateRatio)
+    LINESPACE_PARAMETER(int, PoolSize, poolSize)
+    LINESPACE_PARAMETER(double, FalseAlarms, falseAlarms)
+    LINESPACE_PARAMETER(bool, EdgeWeights, edgeWeights)
+    LINESPACE_PARAMETER(int, MemoryLimit, memoryLimit)
+#undef LINESPACE_PARAMETER
+
+    void setAngleRange(double minTheta, double maxTheta) CV_OVERRIDE
+    {
+        Parameters changed = parameters_;
+        changed.minTheta = minTheta;
+        changed.maxTheta = maxTheta;
+        changed.check();
+        parameters_ = changed;
+    }
+    void getAngleRange(double& minTheta, double& maxTheta) const CV_OVERRIDE
+    {
+        minTheta = parameters_.minTheta;
+        maxTheta = parameters_.maxTheta;
+    }
+
+    void setMask(InputArray mask) CV_OVERRIDE
+    {
+        if (mask.empty())
+        {
+            mask_.release();
+            return;
+        }
+        const Mat given = mask.getMat();
+        checkImage(given, "mask");
+        mask_ = given.clone();
+    }
+    void getMask(OutputArray mask) const CV_OVERRIDE
+    {
+        if (mask_.empty())
+            mask.release();
+        else
+            mask_.copyTo(mask);
+    }
+
+    void write(FileStorage& fs) const CV_OVERRIDE
+    {
+        writeFormat(fs);
+        const Parameters& p = parameters_;
+        fs << "threshold" << p.threshold << "maxLines" << p.maxLines << "method" << p.method;
+        fs << "cellSize" << p.cellSize << "backend" << p.backend << "suppression" << p.suppression;
+        fs << "suppressionRadius" << p.suppressionRadius << "suppressionDistance" << p.suppressionDistance;
+        fs << "refine" << p.refine << "candidateRatio" << p.candidateRatio << "poolSize" << p.poolSize;
+        fs << "minTheta" << p.minTheta << "maxTheta" << p.maxTheta << "falseAlarms" << p.falseAlarms;
+        fs << "edgeWeights" << (int)p.edgeWeights << "memoryLimit" << p.memoryLimit;
+    }
+    void read(const FileNode& fn) CV_OVERRIDE
+    {
+        Parameters p; // a parameter that the file lacks has its default
+        readInto(fn, "threshold", p.threshold);
+        readInto(fn, "maxLines", p.maxLines);
+        readInto(fn, "method", p.method);
+        readInto(fn, "cellSize", p.cellSize);
+        readInto(fn, "backend", p.backend);
+        readInto(fn, "suppression", p.suppression);
+        readInto(fn, "suppressionRadius", p.suppressionRadius);
+        readInto(fn, "suppressionDistance", p.suppressionDistance);
+        readInto(fn, "refine", p.refine);
+        readInto(fn, "candidateRatio", p.candidateRatio);
+        readInto(fn, "poolSize", p.poolSize);
+        readInto(fn, "minTheta", p.minTheta);
+        readInto(fn, "maxTheta", p.maxTheta);
+        readInto(fn, "falseAlarms", p.falseAlarms);
+        readInto(fn, "edgeWeights", p.edgeWeights);
+        readInto(fn, "memoryLimit", p.memoryLimit);
+        p.check();
+        parameters_ = p;
+    }
+    //! True while no image was processed since the creation or the last clear().
+    bool empty() const CV_OVERRIDE { return !plan_; }
+    //! Frees the plan and the buffers; the parameters and the mask stay.
+    void clear() CV_OVERRIDE
+    {
+        plan_.reset();
+        executor_.reset();
+        result_.buffer.release();
+        spare_.buffer.release();
+        activeBackend_ = -1;
+    }
+    String getDefaultName() const CV_OVERRIDE { return "linespace.LineSpaceDetector"; }
+
+private:
+    template <class Value> static void readInto(const FileNode& fn, const char* name, Value& value)
+    {
+        const FileNode node = fn[name];
+        if (!node.empty())
+            node >> value;
+    }
+
+    static void checkOutput(OutputArray lines)
+    {
+        if (lines.fixedType() && lines.type() != CV_32FC3)
+            CV_Error_(Error::StsUnsupportedFormat,
+                      ("lines has type %s: must be CV_32FC3", typeToString(lines.type()).c_str()));
+    }
+
+    static void writeLines(const std::vector<Vec3f>& found, OutputArray lines)
+    {
+        if (found.empty())
+        {
+            lines.release();
+            return;
+        }
+        Mat((int)found.size(), 1, CV_32FC3, (void*)found.data()).copyTo(lines);
+    }
+
+    const Level& levelOf(int level) const
+    {
+        checkRange(level, 0, getLevelCount() - 1, "level", "0 to getLevelCount() - 1, of the last call");
+        return plan_->level(level);
+    }
+
+    Ptr<const Plan> planFor(Size size) const
+    {
+        const bool exact = parameters_.method == METHOD_EXACT;
+        if (plan_ && plan_->imageSize() == size && planMethod_ == parameters_.method &&
+            (exact || planCellSize_ == parameters_.cellSize))
+            return plan_;
+        return exact ? Plan::exact(size) : Plan::cascaded(size, parameters_.cellSize);
+    }
+
+    void checkMemory(const Plan& plan, int level) const
+    {
+        const double mebibytes = workingMemory(plan, parameters_.edgeWeights, level) / (1 << 20);
+        if (mebibytes > parameters_.memoryLimit)
+            CV_Error_(Error::StsNoMem, ("edges of %d x %d pixels need %.0f MiB of memory: must be at most "
+                                        "memoryLimit = %d MiB",
+                                        plan.imageSize().width, plan.imageSize().height, mebibytes,
+                                        parameters_.memoryLimit));
+    }
+
+    /** Counts the votes of a level (-1: the last one) into result_. All that can be wrong with the arguments is
+    found before anything of the detector changes. */
+    Ptr<const Plan> count(InputArray input, int level, EdgeMap& edges, bool writesTable = false)
+    {
+        const Mat image = input.getMat();
+        checkImage(image, "edges");
+        if (!mask_.empty() && mask_.size() != image.size())
+            CV_Error_(Error::StsUnmatchedSizes, ("mask has %d x %d pixels: must have the %d x %d of edges", mask_.cols,
+                                                 mask_.rows, image.cols, image.rows));
+        // Border points are numbered by int.
+        if ((int64)image.cols + image.rows > (1 << 28))
+            CV_Error_(Error::StsOutOfRange, ("edges has %d x %d pixels: width + height must be at most 2^28",
+                                             image.cols, image.rows));
+        const Ptr<const Plan> plan = planFor(image.size());
+        if (level < 0)
+            level = plan->levelCount() - 1;
+        checkRange(level, 0, plan->levelCount() - 1, "level", "less than the number of levels of this image size");
+        if (writesTable)
+            checkTable(plan->level(level));
+        checkMemory(*plan, level);
+        const Ptr<Executor> executor = executorFor(parameters_.backend, executor_);
+
+        edges.weighted = parameters_.edgeWeights;
+        edges.votes = votingPixels(image);
+        countVotes(*executor, edges, *plan, parameters_.method == METHOD_EXACT, level, spare_, result_);
+        plan_ = plan;
+        planMethod_ = parameters_.method;
+        planCellSize_ = parameters_.cellSize;
+        executor_ = executor;
+        activeBackend_ = executor->backend();
+        return plan;
+    }
+
+    Mat votingPixels(const Mat& image) const
+    {
+        Mat votes;
+        if (parameters_.edgeWeights)
+            votes = image.clone();
+        else
+            threshold(image, votes);
+        if (!mask_.empty())
+        {
+            Mat masked = Mat::zeros(votes.size(), CV_8UC1);
+            votes.copyTo(masked, mask_);
+            votes = masked;
+        }
+        return votes;
+    }
+
+    //! 1 where the image is not 0.
+    static void threshold(const Mat& image, Mat& votes) { cv::min(image, Scalar(1), votes); }
+
+    static void checkTable(const Level& level)
+    {
+        const double rows = (double)level.grid.height * level.cell.borderCount();
+        const double columns = (double)level.grid.width * level.cell.borderCount();
+        const double bytes = rows * columns * sizeof(int);
+        if (bytes > INT_MAX)
+            CV_Error_(Error::StsNoMem, ("the table of %.0f x %.0f votes needs %.0f MiB: must be at most 2047 MiB; "
+                                        "use detect, or a smaller edge map",
+                                        rows, columns, bytes / (1 << 20)));
+    }
+
+    void writeLevel(InputArray edges, int level, OutputArray out)
+    {
+        if (out.fixedType() && out.type() != CV_32SC1)
+            CV_Error_(Error::StsUnsupportedFormat,
+                      ("the output has type %s: must be CV_32SC1", typeToString(out.type()).c_str()));
+        EdgeMap map;
+        const Ptr<const Plan> plan = count(edges, level, map, true);
+        const int l = level < 0 ? plan->levelCount() - 1 : level;
+        const Level& shape = plan->level(l);
+        const int points = shape.cell.borderCount();
+        std::vector<int> rowBits, columnBits;
+        plan->cellOrder(l, rowBits, columnBits);
+        Mat table(shape.grid.height * points, shape.grid.width * points, CV_32SC1);
+        for (int r = 0; r < shape.grid.height; ++r)
+            for (int c = 0; c < shape.grid.width; ++c)
+                writeCell(result_, shape.cell, rowBits[r] + columnBits[c], table(Rect(c * points, r * points, points, points)));
+        if (out.fixedSize() || out.isUMat())
+            table.copyTo(out);
+        else
+            out.assign(table);
+    }
+
+    /** What a chord must have: more votes than a number, or for the statistical rule at least as many as its
+    length asks for. */
+    struct Requirement
+    {
+        int threshold;              //!< votes must be more than this, for any chord
+        std::vector<int> byLength;  //!< empty, or votes must be at least byLength[pixels of the chord]
+
+        bool holds(const Plan& plan, const Candidate& candidate, double ratio) const
+        {
+            return byLength.empty() || candidate.votes >= ratio * byLength[plan.visibleLength(candidate.chord())];
+        }
+    };
+
+    Requirement requirementFor(const EdgeMap& edges, const Plan& plan) const
+    {
+        Requirement requirement;
+        requirement.threshold = parameters_.threshold;
+        if (parameters_.threshold > 0)
+            return requirement;
+        const double pixels = (double)edges.votes.total(), edgePixels = countNonZero(edges.votes);
+        const int longest = std::max(edges.votes.cols, edges.votes.rows);
+        requirement.byLength = significantVotes(longest, edgePixels / pixels, (double)plan.frame().chordCount(),
+                                                parameters_.falseAlarms);
+        if (edges.weighted && edgePixels > 0)
+        {
+            // Weighted votes count as so many pixels of mean weight.
+            const double mean = sum(edges.votes)[0] / edgePixels;
+            for (size_t i = 0; i < requirement.byLength.size(); ++i)
+                requirement.byLength[i] = cvCeil(requirement.byLength[i] * mean);
+        }
+        // Nothing shorter than the first length that can be significant needs to be looked at.
+        requirement.threshold = INT_MAX;
+        for (int length = longest; length >= 0; --length)
+            if (requirement.byLength[length] <= length * (edges.weighted ? 255. : 1.))
+                requirement.threshold = requirement.byLength[length] - 1;
+        return requirement;
+    }
+
+    void findLines(const EdgeMap& edges, const Plan& plan, std::vector<Vec3f>& lines)
+    {
+        const Requirement requirement = requirementFor(edges, plan);
+        if (requirement.threshold == INT_MAX)
+            return;
+        const AngleInterval angles = {parameters_.minTheta, parameters_.maxTheta};
+        const Cell& frame = plan.frame();
+
+        // The exact method's votes need no second count and no lower threshold.
+        const bool exact = parameters_.method == METHOD_EXACT;
+        const double ratio = exact ? 1 : parameters_.candidateRatio;
+        std::vector<Candidate> candidates =
+            findCandidates(result_, frame, cvFloor(ratio * requirement.threshold), parameters_.suppression,
+                           parameters_.suppressionRadius);
+        removeIf(candidates, [&](const Candidate& candidate) {
+            Line line = lineOf(frame, candidate.chord());
+            return !requirement.holds(plan, candidate, ratio) || !angles.represent(line);
+        });
+        if (!exact)
+        {
+            if (parameters_.maxLines > 0)
+                keepStrongest(candidates, (size_t)std::max<int64>(parameters_.poolSize, 16 * (int64)parameters_.maxLines));
+            rescore(edges, plan, candidates);
+            removeIf(candidates, [&](const Candidate& candidate) {
+                return candidate.votes <= requirement.threshold || !requirement.holds(plan, candidate, 1);
+            });
+        }
+        selectLines(edges, plan, angles, candidates, lines);
+    }
+
+    template <class Predicate> static void removeIf(std::vector<Candidate>& candidates, Predicate predicate)
+    {
+        candidates.erase(std::remove_if(candidates.begin(), candidates.end(), predicate), candidates.end());
+    }
+
+    void rescore(const EdgeMap& edges, const Plan& plan, std::vector<Candidate>& candidates)
+    {
+        std::vector<Chord> chords(candidates.size());
+        for (size_t i = 0; i < chords.size(); ++i)
+            chords[i] = candidates[i].chord();
+        std::vector<int> votes;
+        executor_->rescore(edges, plan, chords, votes);
+        for (size_t i = 0; i < votes.size(); ++i)
+            candidates[i].votes = votes[i];
+    }
+
+    /** Takes the candidates strongest first, drops those that duplicate a line already taken, and refines what is
+    left. A heap gives them in order without sorting those that are not needed. */
+    void selectLines(const EdgeMap& edges, const Plan& plan, const AngleInterval& angles,
+                     std::vector<Candidate>& candidates, std::vector<Vec3f>& lines) const
+    {
+        const Size size = plan.imageSize();
+        LineIndex reported(size, parameters_.suppressionDistance);
+        const size_t most = parameters_.maxLines > 0 ? (size_t)parameters_.maxLines : candidates.size();
+        const auto isWeaker = [](const Candidate& a, const Candidate& b) { return isStronger(b, a); };
+        std::make_heap(candidates.begin(), candidates.end(), isWeaker);
+        std::vector<Line> chosen;
+        while (!candidates.empty() && lines.size() < most)
+        {
+            std::pop_heap(candidates.begin(), candidates.end(), isWeaker);
+            const Candidate candidate = candidates.back();
+            candidates.pop_back();
+            Line line = lineOf(plan.frame(), candidate.chord());
+            Ends ends;
+            if (!clipLine(std::cos(line.theta), std::sin(line.theta), line.rho, size, ends) ||
+                reported.hasNear(line, ends))
+                continue;
+            reported.insert(line);
+            angles.represent(line);
+            chosen.push_back(line);
+            lines.push_back(Vec3f(0, 0, (float)candidate.votes));
+        }
+        const bool refine = parameters_.refine == REFINE_LEAST_SQUARES;
+        parallel_for_(Range(0, (int)chosen.size()), [&](const Range& range) {
+            for (int i = range.start; i < range.end; ++i)
+            {
+                Line line = chosen[i];
+                // A refined line that leaves the interval stays as it was.
+                if (refine)
+                {
+                    Line refined = refineLine(edges, line);
+                    if (angles.represent(refined))
+                        line = refined;
+                }
+                const Vec2f polar = angles.round(line);
+                lines[i][0] = polar[0];
+                lines[i][1] = polar[1];
+            }
+        });
+    }
+
+    Parameters parameters_;
+    Mat mask_;
+    Ptr<const Plan> plan_;
+    int planMethod_, planCellSize_;
+    Ptr<Executor> executor_;
+    int activeBackend_;
+    VoteTable result_, spare_;
+};
+
+} // namespace
+
+Ptr<LineSpaceDetector> LineSpaceDetector::create(int threshold, int maxLines, int method, int cellSize, int backend)
+{
+    Parameters parameters;
+    parameters.threshold = threshold;
+    parameters.maxLines = maxLines;
+    parameters.method = method;
+    parameters.cellSize = cellSize;
+    parameters.backend = backend;
+    parameters.check();
+    return makePtr<LineSpaceDetectorImpl>(parameters);
+}
+
+} // namespace linespace
+} // namespace cv

@@ -1,0 +1,311 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+#include "houghgrid.hpp"
+
+#include <cmath>
+#include <cstring>
+
+namespace cv {
+namespace linespace {
+
+namespace {
+
+/** Where a pixel stands at an angle, in units of rho. Every vote of the drop-in is decided by this one
+expression; the file is compiled without contraction to fused multiply-adds, which would round differently
+here and there. */
+inline float position(float x, float y, float cosine, float sine)
+{
+    return x * cosine + y * sine;
+}
+
+/** Nearest integer, ties to even, for |value| < 2^22: adding 1.5 * 2^23 leaves it in the low bits. Unlike a
+call, it can be vectorised. */
+inline int nearest(float value)
+{
+    const float shifted = value + 12582912.f;
+    int bits;
+    std::memcpy(&bits, &shifted, sizeof(bits));
+    return bits - 0x4B400000;
+}
+
+const int MOST_DISTANCE = (1 << 22) - 2;
+const double MOST_LINES = 4294967296.; // cv::HoughLines would need 16 GiB for as many
+
+} // namespace
+
+HoughGrid::HoughGrid(Size imageSize, double rhoStep, double thetaStep, double minTheta, double maxTheta)
+    : rho(rhoStep), angles(0), mostDistance(0), wraps(false), image(imageSize)
+{
+    if (!(rho > 0))
+        CV_Error_(Error::StsOutOfRange, ("rho = %g: must be more than 0 pixels", rho));
+    if (!(thetaStep > 0))
+        CV_Error_(Error::StsOutOfRange, ("theta = %g: must be more than 0 radians", thetaStep));
+    if (!(std::abs(minTheta) < HUGE_VAL) || !(std::abs(maxTheta) < HUGE_VAL) || minTheta > maxTheta)
+        CV_Error_(Error::StsOutOfRange, ("min_theta = %g, max_theta = %g: must be finite, and min_theta not larger "
+                                         "than max_theta",
+                                         minTheta, maxTheta));
+    interval.min = minTheta;
+    interval.max = maxTheta;
+    // As many angles as fit between the ends, both included, but none twice: half a turn is the same line.
+    const double turn = std::max(1., std::floor(CV_PI / thetaStep + 0.5));
+    const double count = std::min(turn, std::floor((maxTheta - minTheta) / thetaStep + 1e-6) + 1);
+    const double reach = std::ceil(std::sqrt((double)image.width * image.width + (double)image.height * image.height) / rho) + 1;
+    if (reach > MOST_DISTANCE)
+        CV_Error_(Error::StsNoMem, ("rho = %g: this image has %.0f distances of this size, must be at most %d", rho, reach,
+                                    MOST_DISTANCE));
+    if (count * (2 * reach + 3) > MOST_LINES)
+        CV_Error_(Error::StsNoMem, ("rho = %g, theta = %g: the image has %.0f lines at this resolution, must be at most 2^32",
+                                    rho, thetaStep, count * (2 * reach + 3)));
+    angles = (int)count;
+    mostDistance = (int)reach;
+    wraps = angles > 1 && CV_PI - (angles - 1) * thetaStep <= thetaStep * (1 + 1e-6);
+    for (int j = 0; j < angles; ++j)
+    {
+        const double theta = minTheta + j * thetaStep;
+        thetas.push_back(theta);
+        cosines.push_back((float)(std::cos(theta) / rho));
+        sines.push_back((float)(std::sin(theta) / rho));
+    }
+}
+
+Vec2f HoughGrid::line(int angle, int distance) const
+{
+    const Line line = {distance == 0 ? 0 : distance * rho, thetas[angle]};
+    return interval.round(line);
+}
+
+void HoughGrid::distanceRange(int angle, int& first, int& last) const
+{
+    // The extremes are at corners, and rounding is monotone.
+    const float x = (float)(image.width - 1), y = (float)(image.height - 1);
+    const float c = cosines[angle], s = sines[angle];
+    first = nearest(position(c < 0 ? x : 0, s < 0 ? y : 0, c, s));
+    last = nearest(position(c < 0 ? 0 : x, s < 0 ? 0 : y, c, s));
+}
+
+EdgePixels::EdgePixels(const EdgeMap& edgeMap) : edges(&edgeMap)
+{
+    const Mat& votes = edgeMap.votes;
+    const size_t n = countNonZero(votes);
+    x.reserve(n);
+    y.reserve(n);
+    if (edgeMap.weighted)
+        weights.reserve(n);
+    for (int row = 0; row < votes.rows; ++row)
+    {
+        const uchar* pixel = votes.ptr<uchar>(row);
+        for (int column = 0; column < votes.cols; ++column)
+            if (pixel[column])
+            {
+                x.push_back((float)column);
+                y.push_back((float)row);
+                if (edgeMap.weighted)
+                    weights.push_back(pixel[column]);
+            }
+    }
+}
+
+BandCounter::BandCounter(const EdgePixels& pixels, const HoughGrid& grid) : pixels_(pixels), grid_(grid) {}
+
+void BandCounter::count(int angle, const std::vector<int>& distances, std::vector<int>& votes)
+{
+    votes.resize(distances.size());
+    if (distances.empty())
+        return;
+    // A step along a line costs about three times as much as a pixel of the histogram, and one is needed per
+    // pixel of the width of the band and one more on each side of it.
+    const double steps = (double)distances.size() * std::max(grid_.image.width, grid_.image.height) * (grid_.rho + 2);
+    if (steps < pixels_.count())
+    {
+        for (size_t k = 0; k < distances.size(); ++k)
+            votes[k] = countLine(angle, distances[k]);
+        return;
+    }
+    countAll(angle);
+    for (size_t k = 0; k < distances.size(); ++k)
+        votes[k] = histogram_[distances[k] + grid_.mostDistance];
+}
+
+void BandCounter::countAll(int angle)
+{
+    enum { RUN = 256 };
+    int indices[RUN];
+    const float c = grid_.cosines[angle], s = grid_.sines[angle];
+    histogram_.assign(2 * grid_.mostDistance + 1, 0);
+    int* origin = histogram_.data() + grid_.mostDistance;
+    const size_t n = pixels_.count();
+    for (size_t begin = 0; begin < n; begin += RUN)
+    {
+        const int run = (int)std::min<size_t>(RUN, n - begin);
+        const float *x = pixels_.x.data() + begin, *y = pixels_.y.data() + begin;
+        for (int k = 0; k < run; ++k)
+            indices[k] = nearest(position(x[k], y[k], c, s));
+        if (pixels_.weights.empty())
+            for (int k = 0; k < run; ++k)
+                ++origin[indices[k]];
+        else
+            for (int k = 0; k < run; ++k)
+                origin[indices[k]] += pixels_.weights[begin + k];
+    }
+}
+
+int BandCounter::countLine(int angle, int distance) const
+{
+    const Mat& map = pixels_.edges->votes;
+    const float c = grid_.cosines[angle], s = grid_.sines[angle];
+    const bool xMajor = std::abs(s) >= std::abs(c);
+    const float major = xMajor ? c : s, minor = xMajor ? s : c;
+    const int length = xMajor ? map.cols : map.rows, limit = xMajor ? map.rows : map.cols;
+    // Somewhat wider than the band: the expression above decides.
+    const float half = (0.5f + 1e-3f * (1 + std::abs((float)distance) * 1e-3f)) / std::abs(minor) + 1e-3f;
+    const size_t majorStep = xMajor ? 1 : map.step, minorStep = xMajor ? map.step : 1;
+    int sum = 0;
+    for (int i = 0; i < length; ++i)
+    {
+        const float centre = (distance - i * major) / minor;
+        if (!(centre > -half - 1 && centre < limit + half))
+            continue;
+        const int first = std::max(0, cvCeil(centre - half)), last = std::min(limit - 1, cvFloor(centre + half));
+        const uchar* pixel = map.data + i * majorStep + first * minorStep;
+        for (int k = first; k <= last; ++k, pixel += minorStep)
+            if (*pixel && nearest(xMajor ? position((float)i, (float)k, c, s) : position((float)k, (float)i, c, s)) == distance)
+                sum += *pixel;
+    }
+    return sum;
+}
+
+void allDistances(const HoughGrid& grid, int angle, std::vector<int>& distances)
+{
+    int first, last;
+    grid.distanceRange(angle, first, last);
+    distances.clear();
+    for (int i = first; i <= last; ++i)
+        distances.push_back(i);
+}
+
+namespace {
+
+//! The number of the border point that a line meets on a side, as a real number affine in the line's rho.
+struct BorderCrossing
+{
+    int side, first, last; //!< border points of the side
+    double offset, slope;
+
+    int pointAt(double rho) const { return std::min(std::max((int)(offset + slope * rho), first), last); }
+};
+
+//! Crossings of the lines of one normal with a side of the frame, rho and coordinates relative to its corner.
+BorderCrossing crossingWith(const Cell& frame, int side, double c, double s)
+{
+    const double w = frame.width, h = frame.height;
+    BorderCrossing crossing;
+    crossing.side = side;
+    crossing.first = frame.firstPoint(side);
+    crossing.last = crossing.first + frame.pointCount(side) - 1;
+    switch (side)
+    {
+    case SIDE_TOP: // x = rho / c
+        crossing.slope = 1 / c;
+        crossing.offset = 0;
+        break;
+    case SIDE_RIGHT: // y = (rho - w c) / s
+        crossing.slope = 1 / s;
+        crossing.offset = w - w * c / s;
+        break;
+    case SIDE_BOTTOM: // x = (rho - h s) / c, from right to left
+        crossing.slope = -1 / c;
+        crossing.offset = w + h + w + h * s / c;
+        break;
+    default: // y = rho / s, upwards
+        crossing.slope = -1 / s;
+        crossing.offset = 2 * w + h + h;
+    }
+    return crossing;
+}
+
+//! The most votes among the chords of s and e and their neighbours on the same sides.
+template <class Votes>
+int mostVotesNear(const Votes* table, const Cell& frame, const BorderCrossing& from, const BorderCrossing& to, double rho)
+{
+    const int s = from.pointAt(rho), e = to.pointAt(rho);
+    const int s0 = std::max(s - 1, from.first), s1 = std::min(s + 1, from.last);
+    const int e0 = std::max(e - 1, to.first), e1 = std::min(e + 1, to.last);
+    const ptrdiff_t rowLength = frame.rowLength(from.side);
+    const Votes* row = table + frame.rowStart(s0);
+    const int firstPartner = frame.firstPartner(from.side);
+    Votes most = 0;
+    for (int p = s0; p <= s1; ++p, row += rowLength)
+        most = std::max(most, std::max(row[e - firstPartner], std::max(row[e0 - firstPartner], row[e1 - firstPartner])));
+    return (int)most;
+}
+
+template <class Votes>
+void supportedDistancesOf(const VoteTable& table, const Cell& frame, const HoughGrid& grid, int angle, int needed,
+                          std::vector<int>& distances)
+{
+    const Votes* votes = table.ptr<Votes>();
+    const double c = std::cos(grid.thetas[angle]), s = std::sin(grid.thetas[angle]);
+    // Samples a pixel apart at most: `samples` per line, the line's own in their middle.
+    const int samples = std::max(1, cvCeil(grid.rho));
+    const double spacing = grid.rho / samples, shift = 0.5 * (c + s) - 0.5 * (samples - 1) * spacing;
+    int first, last;
+    grid.distanceRange(angle, first, last);
+    std::vector<int> support((size_t)(last - first + 1), 0);
+
+    // Between the corners of the frame in the order of their rho, the lines meet the same two sides.
+    const double w = frame.width, h = frame.height;
+    double corners[4] = {0, w * c, h * s, w * c + h * s};
+    std::sort(corners, corners + 4);
+    const double low[4] = {std::min(0., w * c), std::min(w * c, w * c + h * s), std::min(h * s, w * c + h * s), std::min(0., h * s)};
+    const double high[4] = {std::max(0., w * c), std::max(w * c, w * c + h * s), std::max(h * s, w * c + h * s), std::max(0., h * s)};
+    for (int k = 0; k < 3; ++k)
+    {
+        if (corners[k + 1] - corners[k] < 1e-6)
+            continue;
+        const double middle = 0.5 * (corners[k] + corners[k + 1]);
+        int sides[4], n = 0;
+        for (int side = SIDE_TOP; side <= SIDE_LEFT; ++side)
+            if (low[side] < middle && middle < high[side])
+                sides[n++] = side;
+        if (n != 2) // the middle is a corner up to rounding
+            continue;
+        const BorderCrossing from = crossingWith(frame, sides[0], c, s), to = crossingWith(frame, sides[1], c, s);
+        // Sample f of the angle is number f mod samples of line first + f / samples.
+        const double start = first * grid.rho + shift;
+        const double count = (double)support.size() * samples;
+        const double begin = std::min(count, std::max(0., std::ceil((corners[k] - start) / spacing)));
+        const double end = std::min(count, std::max(0., std::ceil((corners[k + 1] - start) / spacing)));
+        int line = (int)(begin / samples), sample = (int)(begin - (double)line * samples);
+        for (double f = begin; f < end; f += 1)
+        {
+            support[line] += mostVotesNear(votes, frame, from, to, start + f * spacing);
+            if (++sample == samples)
+            {
+                sample = 0;
+                ++line;
+            }
+        }
+    }
+    distances.clear();
+    for (size_t i = 0; i < support.size(); ++i)
+        if (support[i] >= needed)
+            distances.push_back(first + (int)i);
+}
+
+} // namespace
+
+void supportedDistances(const VoteTable& table, const Cell& frame, const HoughGrid& grid, int angle, int needed,
+                        std::vector<int>& distances)
+{
+    if (table.depth == 1)
+        supportedDistancesOf<uchar>(table, frame, grid, angle, needed, distances);
+    else if (table.depth == 2)
+        supportedDistancesOf<ushort>(table, frame, grid, angle, needed, distances);
+    else
+        supportedDistancesOf<int>(table, frame, grid, angle, needed, distances);
+}
+
+} // namespace linespace
+} // namespace cv

@@ -1,0 +1,79 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// The grid of lines of the Hough transform, what the Line Space says about them, and how their votes are
+// counted (doc/algorithm.md, section 8).
+
+#ifndef OPENCV_LINESPACE_HOUGHGRID_HPP
+#define OPENCV_LINESPACE_HOUGHGRID_HPP
+
+#include "line_geometry.hpp"
+#include "stages.hpp"
+
+namespace cv {
+namespace linespace {
+
+/** The lines (i rho, min_theta + j theta), j = 0 .. angles - 1, of an image. Pixel (x, y) belongs to line i of
+angle j if round(x cosines[j] + y sines[j]) = i, in float, ties to even. */
+struct HoughGrid
+{
+    double rho;
+    AngleInterval interval;
+    int angles;
+    int mostDistance; //!< |i| is never larger
+    bool wraps;       //!< the last angle is within theta of the first one plus pi
+    Size image;
+    std::vector<double> thetas;
+    std::vector<float> cosines, sines; //!< of the angles, divided by rho
+
+    /** Throws where cv::HoughLines does: rho or theta not positive or not a number, min_theta > max_theta, angles
+    not finite, or too many to count. */
+    HoughGrid(Size imageSize, double rho, double theta, double minTheta, double maxTheta);
+
+    //! (rho, theta) of a line as reported.
+    Vec2f line(int angle, int distance) const;
+
+    //! Smallest and largest i that a pixel of the image can have at an angle.
+    void distanceRange(int angle, int& first, int& last) const;
+};
+
+//! The edge pixels by rows, and as a map with its transpose for walks along lines.
+struct EdgePixels
+{
+    std::vector<float> x, y;
+    std::vector<int> weights; //!< empty if all are 1
+    const EdgeMap* edges;
+
+    explicit EdgePixels(const EdgeMap& edgeMap);
+    size_t count() const { return x.size(); }
+};
+
+//! Counts the votes of lines of one angle, by whichever way is cheaper: all pixels, or each line's own.
+class BandCounter
+{
+public:
+    BandCounter(const EdgePixels& pixels, const HoughGrid& grid);
+    //! votes[k] becomes the votes of line distances[k] of the angle.
+    void count(int angle, const std::vector<int>& distances, std::vector<int>& votes);
+
+private:
+    void countAll(int angle);
+    int countLine(int angle, int distance) const;
+
+    const EdgePixels& pixels_;
+    const HoughGrid& grid_;
+    std::vector<int> histogram_;
+};
+
+/** The lines of an angle whose nearest chords have at least `needed` votes in the table.
+For rho of more than a pixel, the votes of chords a pixel apart across the band are added up. */
+void supportedDistances(const VoteTable& table, const Cell& frame, const HoughGrid& grid, int angle, int needed,
+                        std::vector<int>& distances);
+
+void allDistances(const HoughGrid& grid, int angle, std::vector<int>& distances);
+
+} // namespace linespace
+} // namespace cv
+
+#endif // OPENCV_LINESPACE_HOUGHGRID_HPP

@@ -1,0 +1,163 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// The drop-in for cv::HoughLines (doc/algorithm.md, section 8). The lines that can be reported are those of
+// the grid (i rho, min_theta + j theta). The cascaded Line Space tells which of them can have more votes than the
+// threshold; only those are counted, by the definition of cv::HoughLines: an edge pixel votes for line (i, j)
+// if the rounded x cos(theta) / rho + y sin(theta) / rho is i. Then the strongest is taken first, and what lies
+// within one cell of it is dropped.
+
+#include "backends.hpp"
+#include "houghgrid.hpp"
+
+#include <climits>
+#include <cmath>
+
+namespace cv {
+namespace linespace {
+
+namespace {
+
+//! Tables larger than this are not made: all lines of the grid are counted then.
+const double MOST_TABLE_BYTES = 2048. * (1 << 20);
+
+/** Share of the threshold that the votes of the chords near a line must have for it to be counted. The band of a
+line holds pixels that no single chord holds, and the cascade's polylines miss some that a chord holds. */
+const double CHORD_SHARE = 0.5;
+
+struct GridLine
+{
+    int votes, angle, distance;
+};
+
+bool isStronger(const GridLine& a, const GridLine& b)
+{
+    return a.votes != b.votes ? a.votes > b.votes : a.angle != b.angle ? a.angle < b.angle : a.distance < b.distance;
+}
+
+//! The lines of the grid with more votes than the threshold that the Line Space does not rule out.
+std::vector<GridLine> countedLines(const EdgeMap& edges, const HoughGrid& grid, int threshold)
+{
+    const Ptr<const Plan> plan = Plan::cascaded(edges.votes.size(), 8);
+    const int last = plan->levelCount() - 1;
+    VoteTable table, spare;
+    const bool hasTable = workingMemory(*plan, edges.weighted, last) <= MOST_TABLE_BYTES;
+    if (hasTable)
+    {
+        const Ptr<Executor> executor = executorFor(BACKEND_AUTO, Ptr<Executor>());
+        countVotes(*executor, edges, *plan, false, last, spare, table);
+    }
+    const EdgePixels pixels(edges);
+    const int needed = std::max(1, cvCeil(CHORD_SHARE * std::max(0., threshold + 1.)));
+
+    std::vector<std::vector<GridLine> > found(grid.angles);
+    parallel_for_(Range(0, grid.angles), [&](const Range& range) {
+        BandCounter counter(pixels, grid);
+        std::vector<int> distances, votes;
+        for (int angle = range.start; angle < range.end; ++angle)
+        {
+            if (hasTable)
+                supportedDistances(table, plan->frame(), grid, angle, needed, distances);
+            else
+                allDistances(grid, angle, distances);
+            counter.count(angle, distances, votes);
+            for (size_t i = 0; i < distances.size(); ++i)
+                if (votes[i] > threshold && votes[i] > 0)
+                {
+                    const GridLine line = {votes[i], angle, distances[i]};
+                    found[angle].push_back(line);
+                }
+        }
+    });
+    std::vector<GridLine> all;
+    for (size_t i = 0; i < found.size(); ++i)
+        all.insert(all.end(), found[i].begin(), found[i].end());
+    return all;
+}
+
+//! Keeps, strongest first, the lines that are not within one cell of a stronger one.
+std::vector<GridLine> strongestOfCells(std::vector<GridLine>& lines, const HoughGrid& grid)
+{
+    std::sort(lines.begin(), lines.end(), isStronger);
+    // One byte per line of the grid: whether it is within one cell of a line taken. The margin holds the
+    // neighbours of those at the edge, and of their mirror images beyond it.
+    const int angleMargin = 2, distanceMargin = grid.mostDistance + 1;
+    const size_t columns = 2 * (size_t)distanceMargin + 1;
+    std::vector<uchar> taken(columns * (grid.angles + 2 * angleMargin), (uchar)0);
+    const auto at = [&](int angle, int distance) -> uchar& {
+        return taken[(angle + angleMargin) * columns + (distance + distanceMargin)];
+    };
+    const auto take = [&](int angle, int distance) {
+        for (int a = angle - 1; a <= angle + 1; ++a)
+            for (int d = distance - 1; d <= distance + 1; ++d)
+                at(a, d) = 1;
+    };
+    std::vector<GridLine> kept;
+    for (size_t i = 0; i < lines.size(); ++i)
+    {
+        const GridLine& line = lines[i];
+        if (at(line.angle, line.distance))
+            continue;
+        kept.push_back(line);
+        take(line.angle, line.distance);
+        // (rho, theta) and (-rho, theta + pi) are one line: the last angle's neighbour is the first, mirrored.
+        if (grid.wraps && line.angle == 0)
+            take(grid.angles, -line.distance);
+        if (grid.wraps && line.angle == grid.angles - 1)
+            take(-1, -line.distance);
+    }
+    return kept;
+}
+
+} // namespace
+
+void HoughLines(InputArray image, OutputArray lines, double rho, double theta, int threshold, double srn, double stn,
+                double min_theta, double max_theta, bool use_edgeval)
+{
+    int type = CV_32FC2;
+    if (lines.fixedType())
+    {
+        type = lines.type();
+        if (type != CV_32FC2 && type != CV_32FC3)
+            CV_Error_(Error::StsUnsupportedFormat,
+                      ("lines has type %s: must be CV_32FC2 or CV_32FC3", typeToString(type).c_str()));
+    }
+    const Mat source = image.getMat();
+    if (source.type() != CV_8UC1)
+        CV_Error_(Error::StsUnsupportedFormat,
+                  ("image has type %s: must be CV_8UC1", typeToString(source.type()).c_str()));
+    const HoughGrid grid(source.size(), rho / std::max(1., srn), theta / std::max(1., stn), min_theta, max_theta);
+
+    std::vector<GridLine> found;
+    if (!source.empty())
+    {
+        EdgeMap edges;
+        edges.weighted = use_edgeval;
+        if (use_edgeval)
+            edges.votes = source.isContinuous() ? source : source.clone();
+        else
+            cv::min(source, Scalar(1), edges.votes);
+        std::vector<GridLine> counted = countedLines(edges, grid, threshold);
+        found = strongestOfCells(counted, grid);
+    }
+    if (found.empty())
+    {
+        lines.release();
+        return;
+    }
+    Mat result((int)found.size(), 1, type);
+    for (int i = 0; i < result.rows; ++i)
+    {
+        const Vec2f polar = grid.line(found[i].angle, found[i].distance);
+        float* row = result.ptr<float>(i);
+        row[0] = polar[0];
+        row[1] = polar[1];
+        if (type == CV_32FC3)
+            row[2] = (float)found[i].votes;
+    }
+    result.copyTo(lines);
+}
+
+} // namespace linespace
+} // namespace cv

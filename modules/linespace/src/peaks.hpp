@@ -1,0 +1,48 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// From the table of votes to candidates (doc/algorithm.md, section 4.1): threshold, suppression of
+// neighbouring chords, and the total order that makes every result unique.
+
+#ifndef OPENCV_LINESPACE_PEAKS_HPP
+#define OPENCV_LINESPACE_PEAKS_HPP
+
+#include "stages.hpp"
+
+namespace cv {
+namespace linespace {
+
+struct Candidate
+{
+    int votes, s, e;
+    Chord chord() const
+    {
+        const Chord result = {s, e};
+        return result;
+    }
+};
+
+//! The total order: votes descending, then s, then e ascending.
+inline bool isStronger(const Candidate& a, const Candidate& b)
+{
+    return a.votes != b.votes ? a.votes > b.votes : a.s != b.s ? a.s < b.s : a.e < b.e;
+}
+
+/** The chords of a table of one cell with more than `threshold` votes that survive a suppression.
+@param suppression one of enum Suppression. SUPPRESS_RING keeps the chords that are stronger, in the total
+order, than all others (s + i, e + j), |i|, |j| <= radius, on the ring of border points; the mirrored entry (e, s) is
+the same chord. SUPPRESS_BLOCKS keeps the strongest chord of each block of [s][e], aligned at multiples of the smallest
+power of two of at least 2 radius + 1. SUPPRESS_GREEDY takes the chords strongest first and deletes the ring
+neighbourhood of each.
+@return in no particular order but the same for any number of threads. */
+std::vector<Candidate> findCandidates(const VoteTable& table, const Cell& frame, int threshold, int suppression,
+                                      int radius);
+
+//! Keeps the `count` strongest candidates, in no particular order.
+void keepStrongest(std::vector<Candidate>& candidates, size_t count);
+
+} // namespace linespace
+} // namespace cv
+
+#endif // OPENCV_LINESPACE_PEAKS_HPP

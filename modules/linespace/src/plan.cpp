@@ -1,0 +1,286 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// Implements doc/algorithm.md, sections 2 and 3. Integers only.
+
+#include "plan.hpp"
+
+namespace cv {
+namespace linespace {
+
+namespace {
+
+//! floor(a / b) for a >= 0, b > 0; the only division of the geometry.
+int64 floorDivide(int64 a, int64 b)
+{
+    CV_DbgAssert(a >= 0 && b > 0);
+    return a / b;
+}
+
+} // namespace
+
+Point Cell::borderPoint(int p) const
+{
+    const int side = sideOf(p), i = p - firstPoint(side);
+    switch (side)
+    {
+    case SIDE_TOP: return Point(2 * i + 1, 0);
+    case SIDE_RIGHT: return Point(2 * width, 2 * i + 1);
+    case SIDE_BOTTOM: return Point(2 * (width - i) - 1, 2 * height);
+    default: return Point(0, 2 * (height - i) - 1);
+    }
+}
+
+size_t Cell::rowStart(int s) const
+{
+    const size_t w = width, h = height;
+    const int side = sideOf(s);
+    CV_DbgAssert(side != SIDE_LEFT);
+    const size_t before = side == SIDE_TOP ? 0 : side == SIDE_RIGHT ? w * (w + 2 * h) : w * (w + 2 * h) + h * (w + h);
+    return before + (size_t)(s - firstPoint(side)) * rowLength(side);
+}
+
+Raster::Raster(const Cell& cell, Chord chord)
+{
+    Point p = cell.borderPoint(chord.s), q = cell.borderPoint(chord.e);
+    xMajor = std::abs(q.x - p.x) >= std::abs(q.y - p.y);
+    // From here on x is the major axis.
+    if (!xMajor)
+    {
+        std::swap(p.x, p.y);
+        std::swap(q.x, q.y);
+    }
+    if (q.x < p.x)
+        std::swap(p, q);
+    const int minorLimit = xMajor ? cell.height : cell.width;
+    const int dx = q.x - p.x, dy = q.y - p.y;
+
+    first = p.x / 2; // first centre 2 first + 1 >= p.x
+    int last = (q.x - 1) / 2;
+    modulus = 2 * dx;
+    step = 2 * dy;
+    const int64 numerator = (int64)p.y * dx + (int64)dy * (2 * first + 1 - p.x);
+    minor = (int)floorDivide(numerator, modulus);
+    remainder = (int)(numerator - (int64)minor * modulus);
+
+    // Only an end point itself can lie on the far border, where its pixel belongs to the neighbour.
+    if (p.y == 2 * minorLimit && 2 * first + 1 == p.x)
+    {
+        ++first;
+        remainder += step;
+        if (remainder < 0)
+        {
+            remainder += modulus;
+            --minor;
+        }
+    }
+    if (q.y == 2 * minorLimit && 2 * last + 1 == q.x)
+        --last;
+    count = std::max(0, last - first + 1);
+}
+
+Merge::Merge(const Cell& childCell, bool isHorizontal)
+    : child(childCell),
+      parent(isHorizontal ? 2 * childCell.width : childCell.width,
+             isHorizontal ? childCell.height : 2 * childCell.height),
+      horizontal(isHorizontal)
+{
+}
+
+int Merge::sharedPoint(int childNumber, int m) const
+{
+    const int w = child.width, h = child.height;
+    if (horizontal)
+        return childNumber == 0 ? w + m : 2 * w + 2 * h - 1 - m;
+    return childNumber == 0 ? 2 * w + h - 1 - m : m;
+}
+
+int Merge::childOf(int p) const
+{
+    const int side = parent.sideOf(p), i = p - parent.firstPoint(side);
+    if (horizontal)
+        return side == SIDE_RIGHT || (side == SIDE_TOP && i >= child.width) ||
+               (side == SIDE_BOTTOM && i < child.width);
+    return side == SIDE_BOTTOM || (side == SIDE_RIGHT && i >= child.height) ||
+           (side == SIDE_LEFT && i < child.height);
+}
+
+int Merge::childPoint(int p) const
+{
+    const int side = parent.sideOf(p), i = p - parent.firstPoint(side);
+    const int n = child.pointCount(side);
+    return child.firstPoint(side) + (i >= n ? i - n : i);
+}
+
+void Merge::relativeTo(int p, int& along, int& across) const
+{
+    const Point point = parent.borderPoint(p);
+    along = horizontal ? point.y : point.x;
+    across = horizontal ? point.x - 2 * child.width : point.y - 2 * child.height;
+}
+
+int Merge::crossing(int s, int e) const
+{
+    int alongA, acrossA, alongB, acrossB;
+    relativeTo(s, alongA, acrossA);
+    relativeTo(e, alongB, acrossB);
+    if (acrossA > acrossB)
+    {
+        std::swap(alongA, alongB);
+        std::swap(acrossA, acrossB);
+    }
+    CV_DbgAssert(acrossA < 0 && acrossB > 0);
+    // The weighted mean of the two ends where across is 0; the weights are positive.
+    const int64 numerator = (int64)alongA * acrossB - (int64)alongB * acrossA;
+    const int m = (int)floorDivide(numerator, 2 * ((int64)acrossB - acrossA));
+    CV_DbgAssert(0 <= m && m < sharedCount());
+    return m;
+}
+
+int rowSegments(const Merge& merge, int s, Segment segments[MAX_SEGMENTS])
+{
+    const Cell &parent = merge.parent, &child = merge.child;
+    const int childS = merge.childOf(s), childE = 1 - childS;
+    const int pointS = merge.childPoint(s);
+    int n = 0;
+    for (int side = parent.sideOf(s) + 1; side <= SIDE_LEFT; ++side)
+    {
+        // A side of the parent is one side of one child, or the same side of both, half and half.
+        const int length = child.pointCount(side);
+        const int end = parent.firstPoint(side) + parent.pointCount(side);
+        for (int e = parent.firstPoint(side); e < end; e += length)
+        {
+            Segment& segment = segments[n++];
+            const int pointE = merge.childPoint(e);
+            segment.firstEnd = e;
+            segment.count = length;
+            segment.childS = childS;
+            segment.isCrossing = merge.childOf(e) != childS;
+            if (!segment.isCrossing)
+            {
+                segment.chordS = child.chordIndex(pointS, pointE);
+                segment.strideS = segment.chordE = segment.strideE = segment.stepE = 0;
+                continue;
+            }
+            const int shareS = merge.sharedPoint(childS, 0), shareE = merge.sharedPoint(childE, 0);
+            segment.chordS = child.chordIndexOf(pointS, shareS);
+            segment.strideS = merge.sharedDirection(childS) * child.chordStride(shareS, pointS);
+            segment.chordE = child.chordIndexOf(pointE, shareE);
+            segment.strideE = merge.sharedDirection(childE) * child.chordStride(shareE, pointE);
+            segment.stepE = child.chordStride(pointE, shareE);
+        }
+    }
+    CV_DbgAssert(n <= MAX_SEGMENTS);
+    return n;
+}
+
+AxisGrid chooseAxisGrid(int length, int cellSize)
+{
+    AxisGrid best = {0, 0};
+    for (int a = 0; a < 31; ++a)
+    {
+        const int cells = 1 << a;
+        const int side = (int)(((int64)length + cells - 1) / cells);
+        const bool allowed = (2 * side >= cellSize && side <= 3 * cellSize) || (a == 0 && length <= 3 * cellSize);
+        if (allowed)
+        {
+            // Smallest frame, then the side nearest to the wanted one as a ratio, then the smaller side.
+            const int64 frame = (int64)cells * side, bestFrame = (int64)best.cells * best.side;
+            const int64 high = std::max(side, cellSize), low = std::min(side, cellSize);
+            const int64 bestHigh = std::max(best.side, cellSize), bestLow = std::min(best.side, cellSize);
+            const bool better = best.cells == 0 || frame < bestFrame ||
+                                (frame == bestFrame && (high * bestLow < bestHigh * low ||
+                                                        (high * bestLow == bestHigh * low && side < best.side)));
+            if (better)
+            {
+                best.cells = cells;
+                best.side = side;
+            }
+        }
+        if (2 * side < cellSize)
+            break;
+    }
+    CV_DbgAssert(best.cells > 0);
+    return best;
+}
+
+Ptr<const Plan> Plan::exact(Size image)
+{
+    Plan* plan = new Plan(image);
+    Ptr<const Plan> result(plan);
+    Level level;
+    level.cell = Cell(image.width, image.height);
+    level.grid = Size(1, 1);
+    level.horizontal = false;
+    level.maxVotes = std::max(image.width, image.height);
+    plan->levels_.push_back(level);
+    return result;
+}
+
+Ptr<const Plan> Plan::cascaded(Size image, int cellSize)
+{
+    Plan* plan = new Plan(image);
+    Ptr<const Plan> result(plan);
+    const AxisGrid x = chooseAxisGrid(image.width, cellSize), y = chooseAxisGrid(image.height, cellSize);
+    Level level;
+    level.cell = Cell(x.side, y.side);
+    level.grid = Size(x.cells, y.cells);
+    level.horizontal = false;
+    int inner = 2; // cells of level 0 along and down one cell of this level
+    for (;;)
+    {
+        // Every crossing that a chord makes can be rounded half a pixel away, which lengthens its polyline
+        // by one pixel step at most, and each of its parts can count half a pixel more than its length.
+        level.maxVotes = std::max(level.cell.width, level.cell.height) + (3 * (inner - 2) + 1) / 2;
+        plan->levels_.push_back(level);
+        const bool columns = level.grid.width > 1, rows = level.grid.height > 1;
+        if (!columns && !rows)
+            break;
+        level.horizontal = columns && (!rows || plan->levels_.size() == 1 || !level.horizontal);
+        const Merge merge(level.cell, level.horizontal);
+        level.cell = merge.parent;
+        (level.horizontal ? level.grid.width : level.grid.height) /= 2;
+        inner = x.cells / level.grid.width + y.cells / level.grid.height;
+    }
+    return result;
+}
+
+void Plan::cellOrder(int l, std::vector<int>& rowBits, std::vector<int>& columnBits) const
+{
+    const Level& level = levels_[l];
+    rowBits.assign(level.grid.height, 0);
+    columnBits.assign(level.grid.width, 0);
+    int bit = (int)level.cellCount() / 2; // the next merge decides on the half of the table
+    int rowShift = 0, columnShift = 0;
+    for (int t = l + 1; t < levelCount(); ++t, bit /= 2)
+    {
+        std::vector<int>& bits = levels_[t].horizontal ? columnBits : rowBits;
+        int& shift = levels_[t].horizontal ? columnShift : rowShift;
+        for (size_t i = 0; i < bits.size(); ++i)
+            bits[i] |= (i >> shift & 1) ? bit : 0;
+        ++shift;
+    }
+}
+
+int Plan::visibleLength(Chord chord) const
+{
+    const Raster raster(frame(), chord);
+    const int majorLimit = raster.xMajor ? image_.width : image_.height;
+    const int minorLimit = raster.xMajor ? image_.height : image_.width;
+    // The minor coordinate is monotone along the chord: the pixels inside are those before it reaches the
+    // limit, or those after it left it.
+    int begin = 0, end = std::min(raster.count, majorLimit - raster.first);
+    if (end <= 0)
+        return 0;
+    const int64 start = (int64)raster.minor * raster.modulus + raster.remainder;
+    const int64 limit = (int64)minorLimit * raster.modulus;
+    if (raster.step > 0) // inside while start + i step < limit
+        end = start >= limit ? 0 : (int)std::min<int64>(end, (limit - start + raster.step - 1) / raster.step);
+    else if (start >= limit) // inside from the first i with start + i step < limit
+        begin = raster.step == 0 ? end : (int)std::min<int64>(end, (start - limit) / -(int64)raster.step + 1);
+    return std::max(0, end - begin);
+}
+
+} // namespace linespace
+} // namespace cv

@@ -1,0 +1,99 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+#include "refine.hpp"
+
+#include <cmath>
+
+namespace cv {
+namespace linespace {
+
+namespace {
+
+const double SUPPORT_DISTANCE = 1; // pixels; half a pixel of the chord's raster, half of the true line's
+const int MAX_ITERATIONS = 10;
+
+//! Moments of the supporting pixels; integers, so that they do not depend on the order of summation.
+struct Moments
+{
+    int64 n, x, y, xx, xy, yy;
+
+    bool operator==(const Moments& other) const
+    {
+        return n == other.n && x == other.x && y == other.y && xx == other.xx && xy == other.xy && yy == other.yy;
+    }
+};
+
+Moments supportOf(const EdgeMap& edges, const Line& line)
+{
+    const Mat& votes = edges.votes;
+    const double cosine = std::cos(line.theta), sine = std::sin(line.theta);
+    const bool xMajor = std::abs(sine) >= std::abs(cosine);
+    const double major = xMajor ? cosine : sine, minor = xMajor ? sine : cosine;
+    const int length = xMajor ? votes.cols : votes.rows, limit = xMajor ? votes.rows : votes.cols;
+    const double reach = SUPPORT_DISTANCE / std::abs(minor);
+    Moments sum = {0, 0, 0, 0, 0, 0};
+    for (int i = 0; i < length; ++i)
+    {
+        const double centre = (line.rho - i * major) / minor;
+        if (!(centre > -2 && centre < limit + 2))
+            continue;
+        const int first = std::max(0, cvCeil(centre - reach)), last = std::min(limit - 1, cvFloor(centre + reach));
+        for (int k = first; k <= last; ++k)
+        {
+            const int64 x = xMajor ? i : k, y = xMajor ? k : i;
+            if (!votes.ptr<uchar>((int)y)[x])
+                continue;
+            ++sum.n;
+            sum.x += x;
+            sum.y += y;
+            sum.xx += x * x;
+            sum.xy += x * y;
+            sum.yy += y * y;
+        }
+    }
+    return sum;
+}
+
+//! The line with the smallest sum of squared distances; false if it is not determined.
+bool fitLine(const Moments& m, Line& line)
+{
+    if (m.n < 2)
+        return false;
+    const double n = (double)m.n, x = m.x / n, y = m.y / n;
+    // Central moments; n xx - x^2 is formed in integers, where nothing cancels.
+    const double xx = (double)(m.n * m.xx - m.x * m.x), xy = (double)(m.n * m.xy - m.x * m.y);
+    const double yy = (double)(m.n * m.yy - m.y * m.y);
+    if (xx == yy && xy == 0)
+        return false;
+    const double along = 0.5 * std::atan2(2 * xy, xx - yy); // direction of the largest variance
+    line.theta = along + CV_PI / 2;                          // in [0, pi]
+    line.rho = x * std::cos(line.theta) + y * std::sin(line.theta);
+    return true;
+}
+
+} // namespace
+
+Line refineLine(const EdgeMap& edges, const Line& line)
+{
+    Ends ends;
+    if (!clipLine(std::cos(line.theta), std::sin(line.theta), line.rho, edges.votes.size(), ends))
+        return line;
+    Line refined = line;
+    Moments last = {0, 0, 0, 0, 0, 0};
+    for (int i = 0; i < MAX_ITERATIONS; ++i)
+    {
+        const Moments support = supportOf(edges, refined);
+        if (support == last || !fitLine(support, refined))
+            break;
+        last = support;
+    }
+    const double cosine = std::cos(refined.theta), sine = std::sin(refined.theta);
+    const bool moved = std::abs(cosine * ends.first.x + sine * ends.first.y - refined.rho) > 1 ||
+                       std::abs(cosine * ends.second.x + sine * ends.second.y - refined.rho) > 1;
+    return moved ? line : refined;
+}
+
+} // namespace linespace
+} // namespace cv

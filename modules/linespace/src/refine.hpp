@@ -1,0 +1,25 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// Sub-pixel lines from the edge pixels along a chord (doc/algorithm.md, section 5).
+
+#ifndef OPENCV_LINESPACE_REFINE_HPP
+#define OPENCV_LINESPACE_REFINE_HPP
+
+#include "line_geometry.hpp"
+#include "stages.hpp"
+
+namespace cv {
+namespace linespace {
+
+/** Total least squares on the edge pixels within one pixel of the line, repeated with the pixels of the new
+line until they stay the same, ten times at most.
+@return the refined line; the given one if fewer than two pixels support it or an end inside the image would move
+by more than a pixel. */
+Line refineLine(const EdgeMap& edges, const Line& line);
+
+} // namespace linespace
+} // namespace cv
+
+#endif // OPENCV_LINESPACE_REFINE_HPP

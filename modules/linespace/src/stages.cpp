@@ -1,0 +1,57 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// The order of the stages, which is the same for every back end.
+
+#include "stages.hpp"
+
+namespace cv {
+namespace linespace {
+
+void countVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, bool exact, int level,
+                VoteTable& spare, VoteTable& result)
+{
+    // The tables alternate such that the last level's is `result`.
+    VoteTable* current = level % 2 == 0 ? &result : &spare;
+    VoteTable* next = level % 2 == 0 ? &spare : &result;
+    current->allocate(plan.level(0), edges.depthFor(plan.level(0).maxVotes));
+    if (exact)
+        executor.exactVotes(edges, plan, *current);
+    else
+        executor.firstCells(edges, plan, *current);
+    for (int l = 1; l <= level; ++l)
+    {
+        next->allocate(plan.level(l), edges.depthFor(plan.level(l).maxVotes));
+        executor.mergeCells(plan, l, *current, *next);
+        std::swap(current, next);
+    }
+}
+
+double workingMemory(const Plan& plan, bool weighted, int level)
+{
+    EdgeMap edges;
+    edges.weighted = weighted;
+    double most[2] = {0, 0};
+    for (int l = 0; l <= level; ++l)
+    {
+        const double bytes = (double)plan.level(l).tableSize() * edges.depthFor(plan.level(l).maxVotes);
+        most[l % 2] = std::max(most[l % 2], bytes);
+    }
+    const double pixels = (double)plan.frame().width * plan.frame().height;
+    return most[0] + most[1] + 2 * pixels;
+}
+
+int chordVotes(const EdgeMap& edges, const Cell& frame, Chord chord)
+{
+    const Mat& votes = edges.votes;
+    int sum = 0;
+    Raster(frame, chord).forEachPixel([&](int x, int y) {
+        if (x < votes.cols && y < votes.rows)
+            sum += votes.ptr<uchar>(y)[x];
+    });
+    return sum;
+}
+
+} // namespace linespace
+} // namespace cv

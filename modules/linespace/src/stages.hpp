@@ -1,0 +1,144 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// The seam between the detector and its back ends: the stages that each back end implements, and the
+// memory order of what passes between them. A back end is an executor of one plan; it derives no geometry
+// of its own and decides nothing, so all give the same votes. Everything after the candidates' votes
+// (order, suppression, refinement) is host code that all share: peaks.hpp, refine.hpp.
+//
+// What a stage combines is a vote count, but nothing here depends on that beyond VoteTable::depth: a later
+// table may hold other monoids (for segments: best run, prefix, suffix, sum) in the same order.
+
+#ifndef OPENCV_LINESPACE_STAGES_HPP
+#define OPENCV_LINESPACE_STAGES_HPP
+
+#include "plan.hpp"
+
+namespace cv {
+namespace linespace {
+
+//! Memory that is kept between calls and grows when needed; its contents are not initialised.
+class Buffer
+{
+public:
+    Buffer() : data_(0), size_(0) {}
+    ~Buffer() { release(); }
+    //! Makes at least `size` bytes available; the old contents are lost. Throws cv::Exception (StsNoMem).
+    void allocate(size_t size)
+    {
+        if (size <= size_)
+            return;
+        release();
+        data_ = (uchar*)fastMalloc(size);
+        size_ = size;
+    }
+    void release()
+    {
+        fastFree(data_);
+        data_ = 0;
+        size_ = 0;
+    }
+    uchar* data() const { return data_; }
+    size_t size() const { return size_; }
+
+private:
+    Buffer(const Buffer&);
+    Buffer& operator=(const Buffer&);
+    uchar* data_;
+    size_t size_;
+};
+
+/** Votes of all chords of all cells of one level. The votes of chord i of the cell with index c (see
+Plan::cellOrder) stand at data[i * cells + c], as unsigned integers of `depth` bytes (1, 2 or 4). */
+struct VoteTable
+{
+    size_t chords, cells;
+    int depth;
+    Buffer buffer;
+
+    VoteTable() : chords(0), cells(0), depth(0) {}
+
+    void allocate(const Level& level, int bytesPerVote)
+    {
+        chords = level.cell.chordCount();
+        cells = level.cellCount();
+        depth = bytesPerVote;
+        buffer.allocate(chords * cells * depth + PADDING);
+    }
+    template <class Votes> Votes* ptr() const
+    {
+        CV_DbgAssert(sizeof(Votes) == (size_t)depth);
+        return (Votes*)buffer.data();
+    }
+    //! Votes of chord i of cell c, whatever the depth.
+    int at(size_t chord, size_t cell) const
+    {
+        const size_t i = chord * cells + cell;
+        return depth == 1 ? buffer.data()[i] : depth == 2 ? ((const ushort*)buffer.data())[i] : ((const int*)buffer.data())[i];
+    }
+
+    //! Bytes after the last entry that may be read, so that vector loads need no tail.
+    enum { PADDING = 64 };
+};
+
+/** What votes: CV_8UC1 of the size of the image, continuous; 0 or 1, with weights 0 to 255. */
+struct EdgeMap
+{
+    Mat votes;
+    bool weighted;
+    //! Bytes that hold `count` edge pixels' votes.
+    int depthFor(int count) const
+    {
+        const int64 most = (int64)count * (weighted ? 255 : 1);
+        return most <= UCHAR_MAX ? 1 : most <= USHRT_MAX ? 2 : 4;
+    }
+};
+
+/** One back end. Calls of one object come from one thread at a time; it may keep buffers between them. */
+class Executor
+{
+public:
+    virtual ~Executor() {}
+
+    //! One of enum Backend.
+    virtual int backend() const = 0;
+
+    /** Level 0 of the cascade: the votes of every chord of every cell, by its raster. Pixels of cells beyond
+    the image are 0. `table` is allocated for level 0. */
+    virtual void firstCells(const EdgeMap& edges, const Plan& plan, VoteTable& table) = 0;
+
+    /** Level `level` >= 1 from the level below: each chord is a copy of one child's, or the sum of a part
+    in each child. `parent` is allocated for the level; its depth is not less than the child's. */
+    virtual void mergeCells(const Plan& plan, int level, const VoteTable& child, VoteTable& parent) = 0;
+
+    /** METHOD_EXACT: the votes of every chord of the plan's only cell, by its raster. */
+    virtual void exactVotes(const EdgeMap& edges, const Plan& plan, VoteTable& table) = 0;
+
+    //! Exact votes of some chords of the frame, one result each, by their raster.
+    virtual void rescore(const EdgeMap& edges, const Plan& plan, const std::vector<Chord>& chords,
+                         std::vector<int>& votes) = 0;
+
+    //! Frees what is kept between calls.
+    virtual void clear() = 0;
+};
+
+Ptr<Executor> createReferenceExecutor(); // reference.cpp
+Ptr<Executor> createCpuExecutor();       // cascade.dispatch.cpp
+
+/** Runs the cascade (or the exact method, for a plan of one level made for it) up to a level.
+@param spare a second table, for the level below; the two change places from level to level.
+@param result where the level's votes are on return. */
+void countVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, bool exact, int level,
+                VoteTable& spare, VoteTable& result);
+
+//! Bytes that countVotes needs for its two tables and its copies of the edge map.
+double workingMemory(const Plan& plan, bool weighted, int level);
+
+//! Votes of a chord of the frame on the edge map; pixels beyond the image are 0.
+int chordVotes(const EdgeMap& edges, const Cell& frame, Chord chord);
+
+} // namespace linespace
+} // namespace cv
+
+#endif // OPENCV_LINESPACE_STAGES_HPP
