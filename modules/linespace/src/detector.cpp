@@ -10,7 +10,7 @@
 #include "line_geometry.hpp"
 #include "peaks.hpp"
 #include "refine.hpp"
-#include "stages.hpp"
+#include "selection.hpp"
 
 #include <climits>
 #include <cmath>
@@ -40,13 +40,14 @@ void checkImage(const Mat& image, const char* name)
 
 struct Parameters
 {
-    int threshold, maxLines, method, cellSize, backend, suppression, suppressionRadius, refine, poolSize, memoryLimit;
+    int threshold, maxLines, method, cellSize, backend, suppression, suppressionRadius, selection, refine, poolSize,
+        memoryLimit;
     double suppressionDistance, candidateRatio, minTheta, maxTheta, falseAlarms;
     bool edgeWeights;
 
     Parameters()
         : threshold(0), maxLines(0), method(METHOD_CASCADED), cellSize(8), backend(BACKEND_AUTO),
-          suppression(SUPPRESS_RING), suppressionRadius(2), refine(REFINE_LEAST_SQUARES), poolSize(4096),
+          suppression(SUPPRESS_RING), suppressionRadius(2), selection(SELECT_PEAKS), refine(REFINE_LEAST_SQUARES), poolSize(4096),
           memoryLimit(8192), suppressionDistance(3), candidateRatio(0.75), minTheta(0), maxTheta(CV_PI),
           falseAlarms(1), edgeWeights(false)
     {
@@ -63,6 +64,7 @@ struct Parameters
         checkRange(suppression, (int)SUPPRESS_RING, (int)SUPPRESS_GREEDY, "suppression", "one of enum Suppression, 0 to 2");
         checkRange(suppressionRadius, 0, 64, "suppressionRadius", "0 to 64 border points");
         checkRange(suppressionDistance, 0., most, "suppressionDistance", "0 or more pixels, finite");
+        checkRange(selection, (int)SELECT_PEAKS, (int)SELECT_EXPLAIN, "selection", "SELECT_PEAKS (0) or SELECT_EXPLAIN (1)");
         checkRange(refine, (int)REFINE_NONE, (int)REFINE_LEAST_SQUARES, "refine", "REFINE_NONE (0) or REFINE_LEAST_SQUARES (1)");
         checkRange(candidateRatio, 0., 1., "candidateRatio", "0 to 1");
         checkRange(poolSize, 1, INT_MAX, "poolSize", "1 or more");
@@ -145,6 +147,7 @@ public:
     LINESPACE_PARAMETER(int, Suppression, suppression)
     LINESPACE_PARAMETER(int, SuppressionRadius, suppressionRadius)
     LINESPACE_PARAMETER(double, SuppressionDistance, suppressionDistance)
+    LINESPACE_PARAMETER(int, Selection, selection)
     LINESPACE_PARAMETER(int, Refine, refine)
     LINESPACE_PARAMETER(double, CandidateRatio, candidateRatio)
     LINESPACE_PARAMETER(int, PoolSize, poolSize)
@@ -193,7 +196,7 @@ public:
         fs << "threshold" << p.threshold << "maxLines" << p.maxLines << "method" << p.method;
         fs << "cellSize" << p.cellSize << "backend" << p.backend << "suppression" << p.suppression;
         fs << "suppressionRadius" << p.suppressionRadius << "suppressionDistance" << p.suppressionDistance;
-        fs << "refine" << p.refine << "candidateRatio" << p.candidateRatio << "poolSize" << p.poolSize;
+        fs << "selection" << p.selection << "refine" << p.refine << "candidateRatio" << p.candidateRatio << "poolSize" << p.poolSize;
         fs << "minTheta" << p.minTheta << "maxTheta" << p.maxTheta << "falseAlarms" << p.falseAlarms;
         fs << "edgeWeights" << (int)p.edgeWeights << "memoryLimit" << p.memoryLimit;
     }
@@ -208,6 +211,7 @@ public:
         readInto(fn, "suppression", p.suppression);
         readInto(fn, "suppressionRadius", p.suppressionRadius);
         readInto(fn, "suppressionDistance", p.suppressionDistance);
+        readInto(fn, "selection", p.selection);
         readInto(fn, "refine", p.refine);
         readInto(fn, "candidateRatio", p.candidateRatio);
         readInto(fn, "poolSize", p.poolSize);
@@ -367,19 +371,6 @@ private:
             out.assign(table);
     }
 
-    /** What a chord must have: more votes than a number, or for the statistical rule at least as many as its
-    length asks for. */
-    struct Requirement
-    {
-        int threshold;              //!< votes must be more than this, for any chord
-        std::vector<int> byLength;  //!< empty, or votes must be at least byLength[pixels of the chord]
-
-        bool holds(const Plan& plan, const Candidate& candidate, double ratio) const
-        {
-            return byLength.empty() || candidate.votes >= ratio * byLength[plan.visibleLength(candidate.chord())];
-        }
-    };
-
     Requirement requirementFor(const EdgeMap& edges, const Plan& plan) const
     {
         Requirement requirement;
@@ -421,7 +412,7 @@ private:
                            parameters_.suppressionRadius);
         removeIf(candidates, [&](const Candidate& candidate) {
             Line line = lineOf(frame, candidate.chord());
-            return !requirement.holds(plan, candidate, ratio) || !angles.represent(line);
+            return !requirement.isMet(plan, candidate, ratio) || !angles.represent(line);
         });
         if (!exact)
         {
@@ -429,10 +420,16 @@ private:
                 keepStrongest(candidates, (size_t)std::max<int64>(parameters_.poolSize, 16 * (int64)parameters_.maxLines));
             rescore(edges, plan, candidates);
             removeIf(candidates, [&](const Candidate& candidate) {
-                return candidate.votes <= requirement.threshold || !requirement.holds(plan, candidate, 1);
+                return !requirement.isMet(plan, candidate, 1);
             });
         }
-        selectLines(edges, plan, angles, candidates, lines);
+        const size_t most = parameters_.maxLines > 0 ? (size_t)parameters_.maxLines : candidates.size();
+        const double distance = parameters_.suppressionDistance;
+        const std::vector<Candidate> chosen =
+            parameters_.selection == SELECT_EXPLAIN
+                ? selectExplaining(edges, plan, requirement, candidates, distance, most)
+                : selectPeaks(plan, candidates, distance, most);
+        report(edges, plan, angles, chosen, lines);
     }
 
     template <class Predicate> static void removeIf(std::vector<Candidate>& candidates, Predicate predicate)
@@ -451,47 +448,26 @@ private:
             candidates[i].votes = votes[i];
     }
 
-    /** Takes the candidates strongest first, drops those that duplicate a line already taken, and refines what is
-    left. A heap gives them in order without sorting those that are not needed. */
-    void selectLines(const EdgeMap& edges, const Plan& plan, const AngleInterval& angles,
-                     std::vector<Candidate>& candidates, std::vector<Vec3f>& lines) const
+    //! Refines the chosen lines and brings them into the form and the interval that were asked for.
+    void report(const EdgeMap& edges, const Plan& plan, const AngleInterval& angles,
+                const std::vector<Candidate>& chosen, std::vector<Vec3f>& lines) const
     {
-        const Size size = plan.imageSize();
-        LineIndex reported(size, parameters_.suppressionDistance);
-        const size_t most = parameters_.maxLines > 0 ? (size_t)parameters_.maxLines : candidates.size();
-        const auto isWeaker = [](const Candidate& a, const Candidate& b) { return isStronger(b, a); };
-        std::make_heap(candidates.begin(), candidates.end(), isWeaker);
-        std::vector<Line> chosen;
-        while (!candidates.empty() && lines.size() < most)
-        {
-            std::pop_heap(candidates.begin(), candidates.end(), isWeaker);
-            const Candidate candidate = candidates.back();
-            candidates.pop_back();
-            Line line = lineOf(plan.frame(), candidate.chord());
-            Ends ends;
-            if (!clipLine(std::cos(line.theta), std::sin(line.theta), line.rho, size, ends) ||
-                reported.hasNear(line, ends))
-                continue;
-            reported.insert(line);
-            angles.represent(line);
-            chosen.push_back(line);
-            lines.push_back(Vec3f(0, 0, (float)candidate.votes));
-        }
-        const bool refine = parameters_.refine == REFINE_LEAST_SQUARES;
+        lines.resize(chosen.size());
         parallel_for_(Range(0, (int)chosen.size()), [&](const Range& range) {
             for (int i = range.start; i < range.end; ++i)
             {
-                Line line = chosen[i];
-                // A refined line that leaves the interval stays as it was.
-                if (refine)
+                Line line = lineOf(plan.frame(), chosen[i].chord());
+                Line refined = line;
+                if (parameters_.refine == REFINE_LEAST_SQUARES)
+                    refined = refineLine(edges, line);
+                // A refined line that leaves the interval stays the chord that was in it.
+                if (!angles.represent(refined))
                 {
-                    Line refined = refineLine(edges, line);
-                    if (angles.represent(refined))
-                        line = refined;
+                    angles.represent(line);
+                    refined = line;
                 }
-                const Vec2f polar = angles.round(line);
-                lines[i][0] = polar[0];
-                lines[i][1] = polar[1];
+                const Vec2f polar = angles.round(refined);
+                lines[i] = Vec3f(polar[0], polar[1], (float)chosen[i].votes);
             }
         });
     }

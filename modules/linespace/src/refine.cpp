@@ -12,6 +12,7 @@ namespace linespace {
 namespace {
 
 const double SUPPORT_DISTANCE = 1; // pixels; half a pixel of the chord's raster, half of the true line's
+const double EXPLAINED_DISTANCE = 2; // pixels; what a thick or slightly bent edge leaves beside its line
 const int MAX_ITERATIONS = 10;
 
 //! Moments of the supporting pixels; integers, so that they do not depend on the order of summation.
@@ -25,34 +26,38 @@ struct Moments
     }
 };
 
-Moments supportOf(const EdgeMap& edges, const Line& line)
+//! Calls visit(x, y) for every pixel of an image whose centre is within a distance of a line.
+template <class Visit> void forEachPixelNear(Size image, const Line& line, double distance, Visit visit)
 {
-    const Mat& votes = edges.votes;
     const double cosine = std::cos(line.theta), sine = std::sin(line.theta);
     const bool xMajor = std::abs(sine) >= std::abs(cosine);
     const double major = xMajor ? cosine : sine, minor = xMajor ? sine : cosine;
-    const int length = xMajor ? votes.cols : votes.rows, limit = xMajor ? votes.rows : votes.cols;
-    const double reach = SUPPORT_DISTANCE / std::abs(minor);
-    Moments sum = {0, 0, 0, 0, 0, 0};
+    const int length = xMajor ? image.width : image.height, limit = xMajor ? image.height : image.width;
+    const double reach = distance / std::abs(minor);
     for (int i = 0; i < length; ++i)
     {
         const double centre = (line.rho - i * major) / minor;
-        if (!(centre > -2 && centre < limit + 2))
+        if (!(centre > -reach - 1 && centre < limit + reach))
             continue;
         const int first = std::max(0, cvCeil(centre - reach)), last = std::min(limit - 1, cvFloor(centre + reach));
         for (int k = first; k <= last; ++k)
-        {
-            const int64 x = xMajor ? i : k, y = xMajor ? k : i;
-            if (!votes.ptr<uchar>((int)y)[x])
-                continue;
-            ++sum.n;
-            sum.x += x;
-            sum.y += y;
-            sum.xx += x * x;
-            sum.xy += x * y;
-            sum.yy += y * y;
-        }
+            visit(xMajor ? i : k, xMajor ? k : i);
     }
+}
+
+Moments supportOf(const EdgeMap& edges, const Line& line)
+{
+    Moments sum = {0, 0, 0, 0, 0, 0};
+    forEachPixelNear(edges.votes.size(), line, SUPPORT_DISTANCE, [&](int64 x, int64 y) {
+        if (!edges.votes.ptr<uchar>((int)y)[x])
+            return;
+        ++sum.n;
+        sum.x += x;
+        sum.y += y;
+        sum.xx += x * x;
+        sum.xy += x * y;
+        sum.yy += y * y;
+    });
     return sum;
 }
 
@@ -93,6 +98,12 @@ Line refineLine(const EdgeMap& edges, const Line& line)
     const bool moved = std::abs(cosine * ends.first.x + sine * ends.first.y - refined.rho) > 1 ||
                        std::abs(cosine * ends.second.x + sine * ends.second.y - refined.rho) > 1;
     return moved ? line : refined;
+}
+
+void removeSupport(EdgeMap& edges, const Line& line)
+{
+    forEachPixelNear(edges.votes.size(), line, EXPLAINED_DISTANCE,
+                     [&](int x, int y) { edges.votes.ptr<uchar>(y)[x] = 0; });
 }
 
 } // namespace linespace

@@ -19,6 +19,9 @@ line until they stay the same, ten times at most.
 by more than a pixel. */
 Line refineLine(const EdgeMap& edges, const Line& line);
 
+//! Clears the edge pixels that support a line: those within two pixels of it.
+void removeSupport(EdgeMap& edges, const Line& line);
+
 } // namespace linespace
 } // namespace cv
 

@@ -47,6 +47,13 @@ enum Suppression
     SUPPRESS_GREEDY = 2  //!< the paper's alternative: strongest first, delete its neighbourhood
 };
 
+//! Which of the candidates are reported.
+enum Selection
+{
+    SELECT_PEAKS = 0,  //!< all, but those near a stronger one, see setSuppressionDistance
+    SELECT_EXPLAIN = 1 //!< also, edge pixels along a line do not vote for weaker lines: one line per edge
+};
+
 //! What happens to a line after its chord was chosen.
 enum Refine
 {
@@ -153,6 +160,10 @@ public:
     is dropped, >= 0; 0 switches that off. Default 3. */
     CV_WRAP virtual void setSuppressionDistance(double distance) = 0;
     CV_WRAP virtual double getSuppressionDistance() const = 0;
+
+    //! One of #Selection. Default #SELECT_PEAKS.
+    CV_WRAP virtual void setSelection(int selection) = 0;
+    CV_WRAP virtual int getSelection() const = 0;
 
     //! One of #Refine. Default #REFINE_LEAST_SQUARES.
     CV_WRAP virtual void setRefine(int refine) = 0;

@@ -1,0 +1,46 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// From candidates with exact votes to reported lines (doc/algorithm.md, sections 4.3 to 4.5).
+
+#ifndef OPENCV_LINESPACE_SELECTION_HPP
+#define OPENCV_LINESPACE_SELECTION_HPP
+
+#include "line_geometry.hpp"
+#include "peaks.hpp"
+
+namespace cv {
+namespace linespace {
+
+/** What a chord must have to be reported: more votes than a number, and for the statistical rule at least as
+many as its length asks for. */
+struct Requirement
+{
+    int threshold;             //!< votes must be more than this, for any chord
+    std::vector<int> byLength; //!< empty, or by the number of pixels of the chord in the image
+
+    //! @param ratio share of the required votes that is enough, 0 to 1.
+    bool isMet(const Plan& plan, const Candidate& candidate, double ratio) const
+    {
+        return candidate.votes > cvFloor(ratio * threshold) &&
+               (byLength.empty() || candidate.votes >= ratio * byLength[plan.visibleLength(candidate.chord())]);
+    }
+};
+
+/** Takes the candidates in the total order and drops those whose two ends inside the image are both within
+`distance` pixels of a line taken before; at most `most` lines.
+@param candidates exact votes; used up.
+@return in the total order. */
+std::vector<Candidate> selectPeaks(const Plan& plan, std::vector<Candidate>& candidates, double distance, size_t most);
+
+/** As selectPeaks, but the edge pixels along a line taken do not vote for the lines after it: the next line is the
+one with the most of the pixels that are left, and it must still meet the requirement.
+@return in the total order of their votes among all edge pixels. */
+std::vector<Candidate> selectExplaining(const EdgeMap& edges, const Plan& plan, const Requirement& requirement,
+                                        std::vector<Candidate>& candidates, double distance, size_t most);
+
+} // namespace linespace
+} // namespace cv
+
+#endif // OPENCV_LINESPACE_SELECTION_HPP
