@@ -14,6 +14,7 @@
 
 #include <climits>
 #include <cmath>
+#include <limits>
 
 namespace cv {
 namespace linespace {
@@ -101,19 +102,24 @@ public:
     void detect(InputArray edges, OutputArray lines) CV_OVERRIDE
     {
         checkOutput(lines);
-        EdgeMap map;
-        const Ptr<const Plan> plan = count(edges, -1, map);
-        std::vector<Vec3f> found;
-        findLines(map, *plan, found);
-        writeLines(found, lines);
+        withMemoryFor("edges", edges.size(), [&]() {
+            EdgeMap map;
+            const Ptr<const Plan> plan = count(edges, -1, map);
+            std::vector<Vec3f> found;
+            findLines(map, *plan, found);
+            writeLines(found, lines);
+        });
     }
 
-    void compute(InputArray edges, OutputArray lineSpace) CV_OVERRIDE { writeLevel(edges, -1, lineSpace); }
+    void compute(InputArray edges, OutputArray lineSpace) CV_OVERRIDE
+    {
+        withMemoryFor("edges", edges.size(), [&]() { writeLevel(edges, -1, lineSpace); });
+    }
 
     void computeLevel(InputArray edges, int level, OutputArray cascade) CV_OVERRIDE
     {
         checkRange(level, 0, 62, "level", "0 to getLevelCount() - 1");
-        writeLevel(edges, level, cascade);
+        withMemoryFor("edges", edges.size(), [&]() { writeLevel(edges, level, cascade); });
     }
 
     Size getFrameSize() const CV_OVERRIDE

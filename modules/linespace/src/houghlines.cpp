@@ -131,16 +131,16 @@ void HoughLines(InputArray image, OutputArray lines, double rho, double theta, i
 
     std::vector<GridLine> found;
     if (!source.empty())
-    {
-        EdgeMap edges;
-        edges.weighted = use_edgeval;
-        if (use_edgeval)
-            edges.votes = source.isContinuous() ? source : source.clone();
-        else
-            cv::min(source, Scalar(1), edges.votes);
-        std::vector<GridLine> counted = countedLines(edges, grid, threshold);
-        found = strongestOfCells(counted, grid);
-    }
+        withMemoryFor("image", source.size(), [&]() {
+            EdgeMap edges;
+            edges.weighted = use_edgeval;
+            if (use_edgeval)
+                edges.votes = source.isContinuous() ? source : source.clone();
+            else
+                cv::min(source, Scalar(1), edges.votes);
+            std::vector<GridLine> counted = countedLines(edges, grid, threshold);
+            found = strongestOfCells(counted, grid);
+        });
     if (found.empty())
     {
         lines.release();

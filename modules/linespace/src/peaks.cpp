@@ -36,29 +36,32 @@ template <class Votes> struct RingTable
         return true;
     }
 
-    /** Whether the neighbourhood of the chords of row s around e lies in whole rows of the table and touches
+    /** The ends [first, last) of row s for which the neighbourhood lies in whole rows of the table and touches
     neither the mirror line nor an end of a row, so that neighbours stand at fixed distances. */
-    bool isInner(int s, int e, int radius) const
+    Range innerEnds(int s, int radius) const
     {
         const int side = frame.sideOf(s);
-        return s - radius >= frame.firstPoint(side) && s + radius < frame.firstPartner(side) &&
-               e - radius >= frame.firstPartner(side) && e + radius < borderCount;
+        if (s - radius < frame.firstPoint(side) || s + radius >= frame.firstPartner(side))
+            return Range(0, 0);
+        return Range(frame.firstPartner(side) + radius, borderCount - radius);
     }
 
-    //! isRingMaximum where isInner holds: `centre` points to the candidate's entry.
+    //! isRingMaximum for innerEnds: `centre` points to the candidate's entry.
     static bool isInnerMaximum(const Votes* centre, ptrdiff_t rowLength, int radius)
     {
+        // The nearest rows first: most chords lose against a direct neighbour. Neighbours that come before
+        // the candidate in the order (s, e) win ties.
         const Votes value = *centre;
-        // Neighbours that come before the candidate in the order (s, e) win ties.
-        for (int i = -radius; i <= radius; ++i)
+        for (int i = 0; i <= radius; ++i)
         {
-            const Votes* row = centre + i * rowLength;
-            for (int j = -radius; j <= radius; ++j)
-            {
-                const bool before = i < 0 || (i == 0 && j < 0);
-                if (before ? row[j] >= value && (i != 0 || j != 0) : row[j] > value)
+            const Votes *earlier = centre - i * rowLength, *later = centre + i * rowLength;
+            if (i > 0 && earlier[0] >= value)
+                return false;
+            for (int j = 1; j <= radius; ++j)
+                if (earlier[-j] >= value || later[j] > value || (i > 0 ? earlier[j] >= value || later[-j] > value : false))
                     return false;
-            }
+            if (later[0] > value)
+                return false;
         }
         return true;
     }
@@ -112,11 +115,18 @@ template <class Votes>
 std::vector<Candidate> ringMaxima(const RingTable<Votes>& table, int rows, int threshold, int radius)
 {
     return collectByRows(rows, ROWS_PER_TASK, [&](int begin, int end, std::vector<Candidate>& found) {
+        int row = -1, rowLength = 0;
+        Range inner;
         forEachAbove(table, begin, end, threshold, [&](int s, int e, const Votes* entry) {
+            if (s != row)
+            {
+                row = s;
+                rowLength = table.frame.rowLength(table.frame.sideOf(s));
+                inner = table.innerEnds(s, radius);
+            }
             const Candidate candidate = {(int)*entry, s, e};
-            const bool maximum = table.isInner(s, e, radius)
-                                     ? table.isInnerMaximum(entry, table.frame.rowLength(table.frame.sideOf(s)), radius)
-                                     : table.isRingMaximum(candidate, radius);
+            const bool maximum = e >= inner.start && e < inner.end ? table.isInnerMaximum(entry, rowLength, radius)
+                                                                    : table.isRingMaximum(candidate, radius);
             if (maximum)
                 found.push_back(candidate);
         });

@@ -13,41 +13,11 @@
 #ifndef OPENCV_LINESPACE_STAGES_HPP
 #define OPENCV_LINESPACE_STAGES_HPP
 
+#include "memory.hpp"
 #include "plan.hpp"
 
 namespace cv {
 namespace linespace {
-
-//! Memory that is kept between calls and grows when needed; its contents are not initialised.
-class Buffer
-{
-public:
-    Buffer() : data_(0), size_(0) {}
-    ~Buffer() { release(); }
-    //! Makes at least `size` bytes available; the old contents are lost. Throws cv::Exception (StsNoMem).
-    void allocate(size_t size)
-    {
-        if (size <= size_)
-            return;
-        release();
-        data_ = (uchar*)fastMalloc(size);
-        size_ = size;
-    }
-    void release()
-    {
-        fastFree(data_);
-        data_ = 0;
-        size_ = 0;
-    }
-    uchar* data() const { return data_; }
-    size_t size() const { return size_; }
-
-private:
-    Buffer(const Buffer&);
-    Buffer& operator=(const Buffer&);
-    uchar* data_;
-    size_t size_;
-};
 
 /** Votes of all chords of all cells of one level. The votes of chord i of the cell with index c (see
 Plan::cellOrder) stand at data[i * cells + c], as unsigned integers of `depth` bytes (1, 2 or 4). */

@@ -184,8 +184,8 @@ public:
     CV_WRAP virtual void setMask(InputArray mask) = 0;
     CV_WRAP virtual void getMask(OutputArray mask) const = 0;
 
-    /** Only lines with theta in [minTheta, maxTheta] are reported, radians, finite, minTheta <= maxTheta, any
-    real interval; rho's sign follows. An interval of pi or more means all directions, once each, in
+    /** Only lines with theta in [minTheta, maxTheta] are reported: radians, at most 1e6 in size, minTheta <= maxTheta,
+    otherwise any interval, also through 0; rho's sign follows. An interval of pi or more means all directions, once each, in
     [minTheta, minTheta + pi). Default 0 to pi. */
     CV_WRAP virtual void setAngleRange(double minTheta, double maxTheta) = 0;
     CV_WRAP virtual void getAngleRange(CV_OUT double& minTheta, CV_OUT double& maxTheta) const = 0;
