@@ -63,7 +63,7 @@ HoughGrid::HoughGrid(Size imageSize, double rhoStep, double thetaStep, double mi
     wraps = angles > 1 && CV_PI - (angles - 1) * thetaStep <= thetaStep * (1 + 1e-6);
     for (int j = 0; j < angles; ++j)
     {
-        const double theta = minTheta + j * thetaStep;
+        const double theta = j == 0 ? minTheta : minTheta + j * thetaStep; // thetaStep may be infinite
         thetas.push_back(theta);
         cosines.push_back((float)(std::cos(theta) / rho));
         sines.push_back((float)(std::sin(theta) / rho));
@@ -299,7 +299,10 @@ void supportedDistancesOf(const VoteTable& table, const Cell& frame, const Hough
 void supportedDistances(const VoteTable& table, const Cell& frame, const HoughGrid& grid, int angle, int needed,
                         std::vector<int>& distances)
 {
-    if (table.depth == 1)
+    // A band as wide as the image holds most pixels anyway.
+    if (grid.rho >= std::max(grid.image.width, grid.image.height))
+        allDistances(grid, angle, distances);
+    else if (table.depth == 1)
         supportedDistancesOf<uchar>(table, frame, grid, angle, needed, distances);
     else if (table.depth == 2)
         supportedDistancesOf<ushort>(table, frame, grid, angle, needed, distances);
