@@ -1,0 +1,51 @@
+#!/bin/bash
+# This file is part of the Line Space module for OpenCV.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+# Installs the Debian packages of one or more groups, and does nothing if all of them are there:
+#   install_packages.sh run     what building and running the programs takes
+#   install_packages.sh test    what the tests take on top of that
+set -euo pipefail
+
+run=(g++ cmake ninja-build libopencv-dev nlohmann-json3-dev libcli11-dev opencv-doc)
+test=(
+    pkg-config python3 python3-dev python3-numpy xz-utils
+    # A software device for OpenCL and one for OpenGL without a display.
+    pocl-opencl-icd ocl-icd-libopencl1 libegl1 libegl-mesa0 libgl1-mesa-dri
+    # OpenCV's own build, reduced.
+    opencl-c-headers zlib1g-dev libpng-dev libjpeg-dev
+)
+
+wanted=()
+for group in "$@"; do
+    case $group in
+    run) wanted+=("${run[@]}") ;;
+    test) wanted+=("${test[@]}") ;;
+    *)
+        echo "install_packages.sh: unknown group '$group'; known are run and test" >&2
+        exit 2
+        ;;
+    esac
+done
+
+missing=()
+for package in "${wanted[@]}"; do
+    status=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
+    [[ $status == installed ]] || missing+=("$package")
+done
+((${#missing[@]})) || exit 0
+
+as_root=()
+if ((EUID != 0)); then
+    command -v sudo >/dev/null || {
+        echo "Missing packages, and no sudo to install them. As root, run:" >&2
+        echo "  apt-get update && apt-get install ${missing[*]}" >&2
+        exit 1
+    }
+    as_root=(sudo)
+fi
+echo "Installing ${missing[*]}"
+"${as_root[@]}" apt-get update -q
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -q -y --no-install-recommends "${missing[@]}"
