@@ -1,0 +1,19 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// Makes a memory allocation of the library fail on purpose.
+
+#ifndef OPENCV_LINESPACE_TEST_FAILING_ALLOCATION_HPP
+#define OPENCV_LINESPACE_TEST_FAILING_ALLOCATION_HPP
+
+namespace opencv_test {
+
+//! False in a build with a sanitizer: it brings its own allocator and must keep it.
+bool canFailAllocations();
+//! After so many more successful ones of 512 bytes or more, one allocation fails; negative: none.
+void failAllocationAfter(int count);
+
+} // namespace opencv_test
+
+#endif // OPENCV_LINESPACE_TEST_FAILING_ALLOCATION_HPP

@@ -1,0 +1,812 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// From votes to lines (doc/algorithm.md, section 4): which chords LineSpaceDetector::detect
+// reports, with which votes and in which order, for every way of thinning them out.
+
+#include "test_precomp.hpp"
+
+#include "brute_force.hpp"
+#include "generators.hpp"
+#include "test_support.hpp"
+
+#include <thread>
+
+namespace opencv_test {
+namespace {
+
+using namespace generators;
+using brute::Candidate;
+
+typedef std::vector<Vec3f> Lines;
+
+Lines detectLines(LineSpaceDetector& detector, const Mat& edges)
+{
+    Lines lines;
+    detector.detect(edges, lines);
+    return lines;
+}
+
+// A map with a few lines and noise, small enough for brute force.
+Mat1b smallScene(unsigned seed = 1)
+{
+    std::vector<Vec2d> lines;
+    return linesInNoise(Size(46, 37), 4, 0.08, seed, lines);
+}
+
+void expectSameLines(const Lines& actual, const Lines& expected, const std::string& what)
+{
+    ASSERT_EQ(expected.size(), actual.size()) << what;
+    for (size_t i = 0; i < expected.size(); ++i)
+        ASSERT_EQ(expected[i], actual[i]) << what << ", line " << i; // tolerance 0
+}
+
+void expectChords(const Lines& lines, const std::vector<Candidate>& expected, const Size& frame,
+                  const std::string& what)
+{
+    for (size_t i = 0; i < std::min(lines.size(), expected.size()); ++i)
+    {
+        int s = -1, e = -1;
+        ASSERT_TRUE(brute::chordOf(frame, lines[i], s, e))
+            << what << ", line " << i << " " << lines[i];
+        ASSERT_EQ(expected[i].s, s) << what << ", line " << i << " of " << expected.size();
+        ASSERT_EQ(expected[i].e, e) << what << ", line " << i << " of " << expected.size();
+        ASSERT_EQ((float)expected[i].votes, lines[i][2]) << what << ", line " << i;
+    }
+    ASSERT_EQ(expected.size(), lines.size()) << what;
+}
+
+enum Thinning
+{
+    THIN_NOT,
+    THIN_RING,
+    THIN_BLOCKS,
+    THIN_GREEDY
+};
+
+// The selection of section 4 without near-duplicates, from brute-force tables.
+class Selection
+{
+public:
+    Selection(const Mat& edges, int method, int cellSize, bool weighted = false)
+    {
+        const brute::Cascade cascade = brute::cascadeOf(edges.size(), cellSize);
+        frame = method == METHOD_EXACT ? edges.size() : cascade.frame();
+        exact = brute::exactTable(edges, frame, weighted);
+        table = method == METHOD_EXACT
+                    ? exact
+                    : brute::cascadeTable(edges, cascade, cascade.levelCount() - 1, weighted);
+    }
+
+    //! pool 0: every candidate is counted exactly.
+    std::vector<Candidate> select(int threshold, double ratio, int thinning, int radius,
+                                  size_t pool = 0) const
+    {
+        std::vector<Candidate> all = brute::chordsAbove(table, frame, ratio * threshold);
+        if (thinning == THIN_RING)
+            all = brute::ringMaxima(table, all, radius);
+        else if (thinning == THIN_BLOCKS)
+            all = brute::blockMaxima(all, radius);
+        else if (thinning == THIN_GREEDY)
+            all = brute::greedyMaxima(all, table.rows, radius);
+        std::sort(all.begin(), all.end(), brute::isStronger);
+        if (pool > 0 && all.size() > pool)
+            all.resize(pool);
+        std::vector<Candidate> kept;
+        for (size_t i = 0; i < all.size(); ++i)
+        {
+            all[i].votes = exact(all[i].s, all[i].e);
+            if (all[i].votes > threshold)
+                kept.push_back(all[i]);
+        }
+        std::sort(kept.begin(), kept.end(), brute::isStronger);
+        return kept;
+    }
+
+    Size frame;
+
+private:
+    Mat1i exact, table;
+};
+
+class Linespace_Detect : public testing::TestWithParam<tuple<int, int>> // back end, method
+{
+protected:
+    int backend() const { return get<0>(GetParam()); }
+    int method() const { return get<1>(GetParam()); }
+    Ptr<LineSpaceDetector> plain(int threshold, int cellSize = 3) const
+    {
+        return createPlain(method(), cellSize, backend(), threshold);
+    }
+};
+
+TEST_P(Linespace_Detect, every_chord_above_the_threshold_in_total_order)
+{
+    const Size sizes[] = {Size(1, 1), Size(2, 1), Size(5, 5), Size(20, 13), Size(46, 37)};
+    for (int i = 0; i < 5; ++i)
+    {
+        const Mat1b edges = i == 4 ? smallScene() : randomEdges(sizes[i], 0.5, i);
+        const Selection selection(edges, method(), 3);
+        const int thresholds[] = {1, 2, 5, 9, 20, 46};
+        for (int j = 0; j < 6; ++j)
+        {
+            const Ptr<LineSpaceDetector> detector = plain(thresholds[j]);
+            const Lines lines = detectLines(*detector, edges);
+            expectChords(lines, selection.select(thresholds[j], 0, THIN_NOT, 0), selection.frame,
+                         format("%d x %d, threshold %d", edges.cols, edges.rows, thresholds[j]));
+            if (HasFatalFailure())
+                return;
+        }
+    }
+}
+
+TEST_P(Linespace_Detect, suppression)
+{
+    const struct
+    {
+        int suppression, thinning;
+    } modes[] = {
+        {SUPPRESS_RING, THIN_RING}, {SUPPRESS_BLOCKS, THIN_BLOCKS}, {SUPPRESS_GREEDY, THIN_GREEDY}};
+    for (unsigned seed = 0; seed < 3; ++seed)
+    {
+        // Many equal votes, so that the order of ties matters; and lines over the corners, where
+        // the ring closes.
+        Mat1b edges = seed == 0 ? whiteEdges(Size(21, 16)) : smallScene(seed);
+        edges.row(0).setTo(255);
+        edges.col(0).setTo(255);
+        const Selection selection(edges, method(), 3);
+        for (int mode = 0; mode < 3; ++mode)
+            for (int radius = 0; radius <= 5; ++radius)
+            {
+                const int threshold = 8;
+                Ptr<LineSpaceDetector> detector = plain(threshold);
+                detector->setSuppression(modes[mode].suppression);
+                detector->setSuppressionRadius(radius);
+                detector->setCandidateRatio(0.75);
+                expectChords(detectLines(*detector, edges),
+                             selection.select(threshold, 0.75,
+                                              radius ? modes[mode].thinning : THIN_NOT, radius),
+                             selection.frame,
+                             format("suppression %d, radius %d, seed %d", modes[mode].suppression,
+                                    radius, seed));
+                if (HasFatalFailure())
+                    return;
+            }
+    }
+}
+
+TEST_P(Linespace_Detect, large_radius_wraps_around_the_ring)
+{
+    const Mat1b edges = randomEdges(Size(7, 5), 0.5, 4); // 24 border points
+    const Selection selection(edges, method(), 3);
+    const int radii[] = {11, 12, 13, 64};
+    for (int i = 0; i < 4; ++i)
+    {
+        Ptr<LineSpaceDetector> detector = plain(1);
+        detector->setSuppressionRadius(radii[i]);
+        expectChords(detectLines(*detector, edges), selection.select(1, 0, THIN_RING, radii[i]),
+                     selection.frame, format("radius %d", radii[i]));
+    }
+}
+
+TEST_P(Linespace_Detect, candidate_ratio)
+{
+    const Mat1b edges = smallScene(5);
+    const Selection selection(edges, method(), 2);
+    const double ratios[] = {0, 0.5, 0.75, 0.8, 1};
+    for (int i = 0; i < 5; ++i)
+        for (int threshold = 8; threshold <= 20;
+             threshold += 4) // 0.75 T and 0.5 T are whole: strictly above
+        {
+            Ptr<LineSpaceDetector> detector = plain(threshold, 2);
+            detector->setCandidateRatio(ratios[i]);
+            expectChords(detectLines(*detector, edges),
+                         selection.select(threshold, ratios[i], THIN_NOT, 0), selection.frame,
+                         format("ratio %f, threshold %d", ratios[i], threshold));
+            if (HasFatalFailure())
+                return;
+        }
+}
+
+TEST_P(Linespace_Detect, pool)
+{
+    const Mat1b edges = smallScene(6);
+    const Selection selection(edges, method(), 2);
+    const int maxLines[] = {1, 3, 20};
+    const int poolSizes[] = {1, 40, 100};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+        {
+            Ptr<LineSpaceDetector> detector = plain(10, 2);
+            detector->setMaxLines(maxLines[i]);
+            detector->setPoolSize(poolSizes[j]);
+            std::vector<Candidate> expected =
+                selection.select(10, 0, THIN_NOT, 0, std::max(poolSizes[j], 16 * maxLines[i]));
+            expected.resize(std::min(expected.size(), (size_t)maxLines[i]));
+            expectChords(detectLines(*detector, edges), expected, selection.frame,
+                         format("maxLines %d, pool %d", maxLines[i], poolSizes[j]));
+            if (HasFatalFailure())
+                return;
+        }
+}
+
+TEST_P(Linespace_Detect, max_lines_takes_the_first_of_all)
+{
+    const Mat1b edges = smallScene(2);
+    for (int distance = 0; distance <= 3; distance += 3)
+    {
+        Ptr<LineSpaceDetector> detector = LineSpaceDetector::create(9, 0, method(), 3, backend());
+        detector->setSuppressionDistance(distance);
+        detector->setPoolSize(1 << 20); // all candidates, as for maxLines 0
+        const Lines all = detectLines(*detector, edges);
+        ASSERT_GT(all.size(), 8u);
+        const int counts[] = {
+            1, 2, 7, (int)all.size() - 1, (int)all.size(), (int)all.size() + 1, 1 << 20, INT_MAX};
+        for (int i = 0; i < 8; ++i)
+        {
+            detector->setMaxLines(counts[i]);
+            const Lines first(all.begin(), all.begin() + std::min((size_t)counts[i], all.size()));
+            expectSameLines(detectLines(*detector, edges), first, format("maxLines %d", counts[i]));
+        }
+    }
+}
+
+TEST_P(Linespace_Detect, threshold_is_strict)
+{
+    Mat1b edges(20, 30, (uchar)0);
+    edges.row(11).setTo(1);
+    Ptr<LineSpaceDetector> detector = plain(29, 4);
+    const Lines lines = detectLines(*detector, edges);
+    ASSERT_EQ(1u, lines.size());
+    EXPECT_NEAR(11, lines[0][0], 1e-4);
+    EXPECT_NEAR(CV_PI / 2, lines[0][1], 1e-6);
+    EXPECT_EQ(30, lines[0][2]);
+    detector->setThreshold(30);
+    EXPECT_TRUE(detectLines(*detector, edges).empty());
+}
+
+TEST_P(Linespace_Detect, reported_votes_are_the_chords_exact_votes)
+{
+    const char* names[] = {"building.jpg", "board.jpg", "home.jpg", "sudoku.png"};
+    for (int i = 0; i < 4; ++i)
+    {
+        const Mat1b edges = photographEdges(names[i], backend() == BACKEND_REFERENCE ? 160 : 320);
+        Ptr<LineSpaceDetector> detector =
+            LineSpaceDetector::create(edges.cols / 6, 0, method(), 8, backend());
+        detector->setRefine(REFINE_NONE);
+        const Lines lines = detectLines(*detector, edges);
+        ASSERT_FALSE(lines.empty()) << names[i];
+        Candidate before = {-1, -1, INT_MAX};
+        for (size_t j = 0; j < lines.size(); ++j)
+        {
+            Candidate line;
+            ASSERT_TRUE(brute::chordOf(detector->getFrameSize(), lines[j], line.s, line.e))
+                << lines[j];
+            line.votes = brute::chordVotes(edges, detector->getFrameSize(), line.s, line.e);
+            ASSERT_EQ((float)line.votes, lines[j][2]) << names[i] << ", line " << j;
+            ASSERT_TRUE(brute::isStronger(before, line)) << names[i] << ", order of line " << j;
+            ASSERT_GT(line.votes, detector->getThreshold());
+            ASSERT_GE(lines[j][1], 0);
+            ASSERT_LT((double)lines[j][1], CV_PI);
+            before = line;
+        }
+    }
+}
+
+// Greedy in the total order: nothing stays that is within the distance of a stronger line, nothing
+// is dropped without one.
+TEST_P(Linespace_Detect, near_duplicates)
+{
+    for (unsigned seed = 1; seed <= 3; ++seed)
+    {
+        const Mat1b edges = smallScene(seed);
+        Ptr<LineSpaceDetector> detector = plain(9);
+        const Lines all = detectLines(*detector, edges);
+        ASSERT_GT(all.size(), 50u);
+        const double distances[] = {0.4, 1.5, 3, 8.25};
+        for (int i = 0; i < 4; ++i)
+        {
+            detector->setSuppressionDistance(distances[i]);
+            const Lines kept = detectLines(*detector, edges);
+            ASSERT_FALSE(kept.empty());
+            ASSERT_LT(kept.size(), all.size());
+            size_t next = 0; // of kept: a subsequence of all
+            for (size_t j = 0; j < all.size(); ++j)
+            {
+                double nearest = DBL_MAX;
+                const Vec2d line(all[j][0], all[j][1]);
+                for (size_t k = 0; k < next; ++k)
+                    nearest =
+                        std::min(nearest, brute::endDistance(line, Vec2d(kept[k][0], kept[k][1]),
+                                                             edges.size()));
+                if (next < kept.size() && kept[next] == all[j])
+                {
+                    ASSERT_GE(nearest, distances[i] - 1e-4) << "kept line " << next;
+                    ++next;
+                }
+                else
+                {
+                    ASSERT_LE(nearest, distances[i] + 1e-4)
+                        << "dropped line " << j << " " << all[j];
+                }
+            }
+            ASSERT_EQ(kept.size(), next)
+                << "kept lines are not lines of the whole list, in its order";
+        }
+    }
+}
+
+// SELECT_EXPLAIN: pixels along a line do not vote for weaker ones, so a broad edge is one line.
+// Votes and order are as always.
+TEST_P(Linespace_Detect, explained_pixels_do_not_vote)
+{
+    const Size size(150, 120);
+    Mat1b edges(size, (uchar)0);
+    const Vec2d drawn[] = {Vec2d(60, 0.4), Vec2d(80, 0.7), Vec2d(70, 1.5)};
+    for (int i = 0; i < 3; ++i)
+        for (int offset = -1; offset <= 1; ++offset)
+            addLine(edges, drawn[i][0] + offset, drawn[i][1]);
+    Ptr<LineSpaceDetector> detector = LineSpaceDetector::create(70, 0, method(), 8, backend());
+    detector->setRefine(REFINE_NONE);
+    detector->setSuppressionRadius(0);
+    detector->setSuppressionDistance(0.25);
+    const Lines peaks = detectLines(*detector, edges);
+    detector->setSelection(SELECT_EXPLAIN);
+    const Lines lines = detectLines(*detector, edges);
+    EXPECT_GT(peaks.size(), 2 * lines.size());
+    EXPECT_EQ(3u, lines.size());
+    for (int i = 0; i < 3; ++i)
+    {
+        double nearest = DBL_MAX;
+        for (size_t j = 0; j < lines.size(); ++j)
+            nearest = std::min(nearest,
+                               brute::endDistance(drawn[i], Vec2d(lines[j][0], lines[j][1]), size));
+        EXPECT_LT(nearest, 2) << drawn[i];
+    }
+    Candidate before = {-1, -1, INT_MAX};
+    for (size_t j = 0; j < lines.size(); ++j)
+    {
+        Candidate line;
+        ASSERT_TRUE(brute::chordOf(detector->getFrameSize(), lines[j], line.s, line.e)) << lines[j];
+        line.votes = brute::chordVotes(edges, detector->getFrameSize(), line.s, line.e);
+        ASSERT_EQ((float)line.votes, lines[j][2]);
+        ASSERT_TRUE(brute::isStronger(before, line)) << "order of line " << j;
+        before = line;
+    }
+}
+
+TEST_P(Linespace_Detect, angle_range)
+{
+    const Mat1b edges = smallScene(3);
+    const int threshold = 7;
+    const Selection selection(edges, method(), 3);
+    const std::vector<Candidate> all = selection.select(threshold, 0, THIN_NOT, 0);
+    const double pi = CV_PI;
+    const double ranges[][2] = {
+        {0, pi},           {0, 0.5},         {-0.3, 0.4}, {2.8, 3.5},       {-7, -6.2},      {1, 6},
+        {-pi / 2, pi / 2}, {pi / 4, pi / 2}, {40, 40.5},  {pi / 2, pi / 2}, {0.3, 0.3 + pi}, {0, 0},
+        {-1000, 1000},     {1.3, 1.31},      {pi, pi}};
+    for (size_t i = 0; i < sizeof(ranges) / sizeof(ranges[0]); ++i)
+    {
+        const double from = ranges[i][0], to = std::min(ranges[i][1], from + pi);
+        Ptr<LineSpaceDetector> detector = plain(threshold);
+        detector->setAngleRange(ranges[i][0], ranges[i][1]);
+        const Lines lines = detectLines(*detector, edges);
+        std::set<std::pair<int, int>> found;
+        Candidate before = {-1, -1, INT_MAX};
+        for (size_t j = 0; j < lines.size(); ++j)
+        {
+            // As floats are compared by a caller: after rounding, without a tolerance.
+            ASSERT_GE((double)lines[j][1], ranges[i][0]) << "range " << i;
+            ASSERT_LE((double)lines[j][1], ranges[i][1]) << "range " << i;
+            const double open = ranges[i][1] - ranges[i][0] >= pi ? from + pi : DBL_MAX;
+            ASSERT_LT((double)lines[j][1], open) << "range " << i;
+            Candidate line;
+            ASSERT_TRUE(brute::chordOf(selection.frame, lines[j], line.s, line.e)) << lines[j];
+            line.votes = (int)lines[j][2];
+            ASSERT_TRUE(brute::isStronger(before, line)) << "range " << i << ", line " << j;
+            ASSERT_TRUE(found.insert(std::make_pair(line.s, line.e)).second) << "reported twice";
+            before = line;
+        }
+        size_t expected = 0;
+        for (size_t j = 0; j < all.size(); ++j)
+        {
+            const double theta = brute::lineOf(selection.frame, all[j].s, all[j].e, from)[1];
+            // The next float may be outside where the chord is at the end of the range.
+            const double rounding = 2.5e-7 * std::max(1.0, std::abs(from));
+            if (std::min(std::abs(theta - from), std::abs(theta - to)) < rounding ||
+                std::abs(theta - from - pi) < rounding)
+                continue;
+            const bool isInside = theta < to;
+            expected += isInside;
+            ASSERT_EQ(isInside, found.count(std::make_pair(all[j].s, all[j].e)) == 1)
+                << "range " << i << ", theta " << theta << ", chord (" << all[j].s << ", "
+                << all[j].e << ")";
+        }
+        EXPECT_TRUE(to - from < 0.4 || expected > 10) << "range " << i;
+    }
+}
+
+// A vertical line has theta 0, in every range around it, and the sign of rho follows.
+TEST_P(Linespace_Detect, angle_range_through_zero)
+{
+    Mat1b edges(40, 40, (uchar)0);
+    edges.col(13).setTo(255);
+    Ptr<LineSpaceDetector> detector = LineSpaceDetector::create(35, 1, method(), 4, backend());
+    const struct
+    {
+        double from, to;
+        float rho, theta;
+    } cases[] = {{0, 0.1, 13, 0},
+                 {-0.1, 0.1, 13, 0},
+                 {3, 3.2, -13, (float)CV_PI},
+                 {-3.2, -3, -13, (float)-CV_PI},
+                 {6.2, 6.3, 13, (float)(2 * CV_PI)}};
+    for (int i = 0; i < 5; ++i)
+    {
+        detector->setAngleRange(cases[i].from, cases[i].to);
+        const Lines lines = detectLines(*detector, edges);
+        ASSERT_EQ(1u, lines.size()) << i;
+        EXPECT_NEAR(cases[i].rho, lines[0][0], 1e-3) << i;
+        EXPECT_NEAR(cases[i].theta, lines[0][1], 1e-5) << i;
+    }
+    detector->setAngleRange(0.2, 3);
+    EXPECT_TRUE(detectLines(*detector, edges).empty());
+}
+
+TEST_P(Linespace_Detect, refined_lines_stay_in_the_angle_range)
+{
+    const Mat1b edges = smallScene(4);
+    Ptr<LineSpaceDetector> detector = LineSpaceDetector::create(8, 0, method(), 3, backend());
+    const double ranges[][2] = {{0, CV_PI}, {0.5, 0.6}, {-0.05, 0.05}, {1.5, 1.6}, {-CV_PI, 0}};
+    for (int i = 0; i < 5; ++i)
+    {
+        detector->setAngleRange(ranges[i][0], ranges[i][1]);
+        const Lines lines = detectLines(*detector, edges);
+        for (size_t j = 0; j < lines.size(); ++j)
+        {
+            ASSERT_GE((double)lines[j][1], ranges[i][0]);
+            ASSERT_LE((double)lines[j][1], ranges[i][1]);
+            ASSERT_NE((float)CV_PI, lines[j][1]); // it is above pi
+        }
+    }
+}
+
+TEST_P(Linespace_Detect, mask)
+{
+    const Mat1b edges = smallScene(7);
+    Mat1b mask = randomEdges(edges.size(), 0.7, 8);
+    mask.colRange(0, 12).setTo(0);
+    Mat1b masked = edges.clone();
+    masked.setTo(0, mask == 0);
+    Ptr<LineSpaceDetector> detector = LineSpaceDetector::create(6, 0, method(), 3, backend());
+    const Lines unmasked = detectLines(*detector, edges), expected = detectLines(*detector, masked);
+    Mat expectedTable, table;
+    detector->compute(masked, expectedTable);
+    ASSERT_FALSE(expected.empty());
+    ASSERT_NE(expected.size(), unmasked.size());
+
+    detector->setMask(asWindow(mask));
+    expectSameLines(detectLines(*detector, edges), expected, "mask");
+    detector->compute(edges, table);
+    EXPECT_EQ(0, cvtest::norm(table, expectedTable, NORM_INF));
+    Mat got;
+    detector->getMask(got);
+    EXPECT_EQ(0, cvtest::norm(got != 0, mask != 0, NORM_INF));
+    detector->setMask(noArray());
+    expectSameLines(detectLines(*detector, edges), unmasked, "mask removed");
+    detector->getMask(got);
+    EXPECT_TRUE(got.empty());
+}
+
+TEST_P(Linespace_Detect, edge_weights)
+{
+    const Mat1b edges = randomEdges(Size(33, 28), 0.4, 12);
+    const Selection selection(edges, method(), 3, true);
+    const int thresholds[] = {800, 1500, 2500};
+    for (int i = 0; i < 3; ++i)
+    {
+        Ptr<LineSpaceDetector> detector = plain(thresholds[i]);
+        detector->setEdgeWeights(true);
+        expectChords(detectLines(*detector, edges), selection.select(thresholds[i], 0, THIN_NOT, 0),
+                     selection.frame, format("threshold %d", thresholds[i]));
+        if (HasFatalFailure())
+            return;
+    }
+}
+
+TEST_P(Linespace_Detect, kinds_of_arrays)
+{
+    const Mat1b edges = smallScene(9);
+    Ptr<LineSpaceDetector> detector = LineSpaceDetector::create(8, 0, method(), 3, backend());
+    const Lines expected = detectLines(*detector, edges);
+    ASSERT_GT(expected.size(), 3u);
+    EXPECT_EQ(backend(), detector->getActiveBackend());
+    expectSameLines(detectLines(*detector, asWindow(edges)), expected, "window");
+
+    UMat device, deviceLines;
+    edges.copyTo(device);
+    expectSameLines(
+        [&]()
+        {
+            Lines lines;
+            detector->detect(device, lines);
+            return lines;
+        }(),
+        expected, "UMat");
+    detector->detect(device, deviceLines);
+    ASSERT_EQ(CV_32FC3, deviceLines.type());
+    ASSERT_EQ(Size(1, (int)expected.size()), deviceLines.size());
+    expectSameLines(Lines(deviceLines.getMat(ACCESS_READ)), expected, "UMat to UMat");
+
+    Mat untyped, used(3, 5, CV_8UC1, Scalar(1));
+    detector->detect(edges, untyped);
+    ASSERT_EQ(CV_32FC3, untyped.type());
+    ASSERT_EQ(Size(1, (int)expected.size()), untyped.size());
+    expectSameLines(Lines(untyped), expected, "Mat");
+    detector->detect(edges, used);
+    expectSameLines(Lines(used), expected, "Mat of another type and size");
+    Mat_<Vec3f> typed;
+    detector->detect(edges, typed);
+    expectSameLines(Lines(typed), expected, "Mat_<Vec3f>");
+
+    // No lines: an empty array, also where there were some.
+    const Mat1b black(edges.size(), (uchar)0);
+    detector->detect(black, untyped);
+    EXPECT_TRUE(untyped.empty());
+    detector->detect(black, deviceLines);
+    EXPECT_TRUE(deviceLines.empty());
+    EXPECT_TRUE(detectLines(*detector, black).empty());
+}
+
+TEST_P(Linespace_Detect, the_same_on_every_run_thread_count_and_back_end)
+{
+    std::vector<Vec2d> drawn;
+    const Mat1b edges = linesInNoise(Size(230, 170), 7, 0.03, 3, drawn);
+    const int suppressions[] = {SUPPRESS_RING, SUPPRESS_BLOCKS, SUPPRESS_GREEDY};
+    for (int i = 0; i < 3; ++i)
+        for (int threshold = 0; threshold <= 30; threshold += 30)
+        {
+            Ptr<LineSpaceDetector> reference =
+                LineSpaceDetector::create(threshold, 0, method(), 8, BACKEND_REFERENCE);
+            Ptr<LineSpaceDetector> detector =
+                LineSpaceDetector::create(threshold, 0, method(), 8, backend());
+            reference->setSuppression(suppressions[i]);
+            detector->setSuppression(suppressions[i]);
+            const Lines expected = detectLines(*reference, edges);
+            ASSERT_GE(expected.size(), 7u);
+            const int threads[] = {1, 2, 5, 1};
+            for (int j = 0; j < 4; ++j)
+            {
+                ThreadCount count(threads[j]);
+                expectSameLines(detectLines(*detector, edges), expected,
+                                format("%d threads, suppression %d, threshold %d", threads[j],
+                                       suppressions[i], threshold));
+            }
+        }
+}
+
+TEST_P(Linespace_Detect, detectors_in_different_threads)
+{
+    const int count = 4;
+    std::vector<Mat1b> edges;
+    std::vector<Lines> expected, actual(count);
+    for (int i = 0; i < count; ++i)
+    {
+        edges.push_back(randomEdges(Size(60 + 7 * (i % 2), 50), 0.15, i));
+        expected.push_back(
+            detectLines(*LineSpaceDetector::create(14, 0, method(), 4, backend()), edges.back()));
+    }
+    std::vector<std::thread> threads;
+    for (int i = 0; i < count; ++i)
+        threads.push_back(std::thread(
+            [&, i]()
+            {
+                Ptr<LineSpaceDetector> detector =
+                    LineSpaceDetector::create(14, 0, method(), 4, backend());
+                for (int run = 0; run < 5; ++run)
+                    actual[i] = detectLines(*detector, edges[i]);
+            }));
+    for (int i = 0; i < count; ++i)
+        threads[i].join();
+    for (int i = 0; i < count; ++i)
+        expectSameLines(actual[i], expected[i], format("thread %d", i));
+}
+
+TEST_P(Linespace_Detect, black_and_white)
+{
+    const Size sizes[] = {Size(1, 1), Size(9, 1), Size(40, 33), Size(64, 64)};
+    for (int i = 0; i < 4; ++i)
+        for (int threshold = 0; threshold <= 20; threshold += 10)
+        {
+            Ptr<LineSpaceDetector> detector =
+                LineSpaceDetector::create(threshold, 0, method(), 8, backend());
+            EXPECT_TRUE(detectLines(*detector, Mat1b(sizes[i], (uchar)0)).empty());
+            const Lines lines = detectLines(*detector, whiteEdges(sizes[i]));
+            for (size_t j = 0; j < lines.size(); ++j)
+            {
+                ASSERT_LE(lines[j][2], std::max(sizes[i].width, sizes[i].height));
+                ASSERT_GT(lines[j][2], threshold);
+            }
+            if (threshold == 0) // where every pixel is an edge, no line is a surprise
+                EXPECT_TRUE(lines.empty()) << sizes[i];
+            else
+                EXPECT_EQ(std::max(sizes[i].width, sizes[i].height) <= threshold, lines.empty())
+                    << sizes[i];
+        }
+}
+
+// Drawn lines are found: each has a reported line whose ends are near, and refinement brings them
+// nearer.
+TEST_P(Linespace_Detect, drawn_lines_are_found_and_refined)
+{
+    double chordError = 0, refinedError = 0;
+    for (unsigned seed = 1; seed <= 4; ++seed)
+    {
+        std::vector<Vec2d> drawn;
+        const Size size(160, 120);
+        const Mat1b edges = linesInNoise(size, 6, 0.02, seed, drawn);
+        Ptr<LineSpaceDetector> detector = LineSpaceDetector::create(50, 0, method(), 8, backend());
+        const Lines refined = detectLines(*detector, edges);
+        detector->setRefine(REFINE_NONE);
+        const Lines chords = detectLines(*detector, edges);
+        ASSERT_EQ(chords.size(), refined.size());
+        for (size_t i = 0; i < chords.size(); ++i)
+        {
+            ASSERT_EQ(chords[i][2], refined[i][2]) << "votes and order stay";
+            EXPECT_LE(brute::endDistance(Vec2d(refined[i][0], refined[i][1]),
+                                         Vec2d(chords[i][0], chords[i][1]), size),
+                      1 + 1e-3)
+                << "moved by more than a pixel: line " << i;
+        }
+        for (size_t i = 0; i < drawn.size(); ++i)
+        {
+            double chordBest = DBL_MAX, refinedBest = DBL_MAX;
+            for (size_t j = 0; j < chords.size(); ++j)
+            {
+                const double error =
+                    brute::endDistance(drawn[i], Vec2d(chords[j][0], chords[j][1]), size);
+                if (error >= chordBest)
+                    continue;
+                chordBest = error;
+                refinedBest =
+                    brute::endDistance(drawn[i], Vec2d(refined[j][0], refined[j][1]), size);
+            }
+            EXPECT_LT(refinedBest, 1.5) << "seed " << seed << ", line " << drawn[i];
+            chordError += chordBest;
+            refinedError += refinedBest;
+        }
+    }
+    EXPECT_LT(refinedError, 0.75 * chordError);
+    EXPECT_LT(refinedError / 24, 0.35); // mean over the lines, in pixels
+}
+
+INSTANTIATE_TEST_CASE_P(/**/, Linespace_Detect,
+                        testing::Combine(LINESPACE_TEST_BACKENDS,
+                                         testing::Values((int)METHOD_EXACT, (int)METHOD_CASCADED)));
+
+// threshold 0: section 7.
+
+class Linespace_AContrario : public testing::TestWithParam<tuple<int, int>> // back end, method
+{
+protected:
+    Ptr<LineSpaceDetector> create(double falseAlarms) const
+    {
+        Ptr<LineSpaceDetector> detector =
+            LineSpaceDetector::create(0, 0, get<1>(GetParam()), 8, get<0>(GetParam()));
+        detector->setFalseAlarms(falseAlarms);
+        return detector;
+    }
+};
+
+TEST_P(Linespace_AContrario, noise_gives_nearly_nothing)
+{
+    const double densities[] = {0.01, 0.05, 0.2, 0.5, 0.9};
+    size_t lines = 0;
+    for (int i = 0; i < 20; ++i)
+        lines +=
+            detectLines(*create(1), randomEdges(Size(110, 90), densities[i % 5], 50 + i)).size();
+    EXPECT_LE(lines, 20u); // expected: less than 1 for each image
+}
+
+TEST_P(Linespace_AContrario, line_in_noise_is_found)
+{
+    const double densities[] = {0, 0.01, 0.1, 0.3};
+    for (int i = 0; i < 4; ++i)
+    {
+        const Size size(110, 90);
+        Mat1b edges = randomEdges(size, densities[i], 60 + i);
+        const Vec2d drawn(61.3, 0.9);
+        addLine(edges, drawn[0], drawn[1]);
+        const Lines lines = detectLines(*create(1), edges);
+        ASSERT_FALSE(lines.empty()) << "density " << densities[i];
+        EXPECT_LT(brute::endDistance(drawn, Vec2d(lines[0][0], lines[0][1]), size), 1.5);
+    }
+}
+
+Mat1i cascadeTop(const Mat& edges, int cellSize)
+{
+    const brute::Cascade cascade = brute::cascadeOf(edges.size(), cellSize);
+    return brute::cascadeTable(edges, cascade, cascade.levelCount() - 1);
+}
+
+// N P(Binomial(l, p) >= v) by a plain sum.
+double falseAlarms(double chords, int length, double density, int votes)
+{
+    if (density >= 1)
+        return chords;
+    double sum = 0;
+    for (int k = votes; k <= length && density > 0; ++k)
+        sum += std::exp(std::lgamma(length + 1.0) - std::lgamma(k + 1.0) -
+                        std::lgamma(length - k + 1.0) + k * std::log(density) +
+                        (length - k) * std::log(1 - density));
+    return chords * sum;
+}
+
+TEST_P(Linespace_AContrario, every_chord_by_the_rule)
+{
+    const double epsilons[] = {1e-6, 1, 1000};
+    for (unsigned seed = 1; seed <= 4; ++seed)
+    {
+        const Mat1b edges = seed == 4 ? randomEdges(Size(37, 25), 0.7, 9) : smallScene(seed);
+        const int method = get<1>(GetParam()), cellSize = 4;
+        const double density = (double)countNonZero(edges) / edges.total();
+        const Size frame = method == METHOD_EXACT
+                               ? edges.size()
+                               : brute::cascadeOf(edges.size(), cellSize).frame();
+        const Mat1i lengths = brute::exactTable(whiteEdges(edges.size()), frame);
+        const Mat1i votes = brute::exactTable(edges, frame);
+        // What the cascade does not see at all is no candidate.
+        const Mat1i seen = method == METHOD_EXACT ? votes : cascadeTop(edges, cellSize);
+        double chords = 0;
+        for (int s = 0; s < votes.rows; ++s)
+            for (int e = s + 1; e < votes.cols; ++e)
+                chords += brute::isChord(frame, s, e);
+        for (int i = 0; i < 3; ++i)
+        {
+            Ptr<LineSpaceDetector> detector = createPlain(method, cellSize, get<0>(GetParam()), 0);
+            detector->setFalseAlarms(epsilons[i]);
+            std::vector<Candidate> expected;
+            for (int s = 0; s < votes.rows; ++s)
+                for (int e = s + 1; e < votes.cols; ++e)
+                    if (seen(s, e) > 0 && brute::isChord(frame, s, e) &&
+                        falseAlarms(chords, lengths(s, e), density, votes(s, e)) < epsilons[i])
+                    {
+                        const Candidate candidate = {s, e, votes(s, e)};
+                        expected.push_back(candidate);
+                    }
+            std::sort(expected.begin(), expected.end(), brute::isStronger);
+            expectChords(detectLines(*detector, edges), expected, frame,
+                         format("seed %d, epsilon %g", seed, epsilons[i]));
+            if (HasFatalFailure())
+                return;
+            EXPECT_TRUE(epsilons[i] < 1 || seed == 4 || !expected.empty()) << seed;
+        }
+    }
+}
+
+TEST_P(Linespace_AContrario, fewer_false_alarms_fewer_lines)
+{
+    std::vector<Vec2d> drawn;
+    const Mat1b edges = linesInNoise(Size(110, 90), 3, 0.1, 70, drawn);
+    const double falseAlarms[] = {1e-12, 1e-6, 1e-3, 1, 1e3, 1e6};
+    size_t before = 0;
+    for (int i = 0; i < 6; ++i)
+    {
+        Ptr<LineSpaceDetector> detector = create(falseAlarms[i]);
+        detector->setSuppressionRadius(0); // with it, a stronger neighbour may hide a line
+        detector->setSuppressionDistance(0);
+        const size_t count = detectLines(*detector, edges).size();
+        EXPECT_GE(count, before) << falseAlarms[i];
+        before = count;
+    }
+    EXPECT_GT(before, 3u);
+}
+
+INSTANTIATE_TEST_CASE_P(/**/, Linespace_AContrario,
+                        testing::Combine(LINESPACE_TEST_BACKENDS,
+                                         testing::Values((int)METHOD_EXACT, (int)METHOD_CASCADED)));
+
+} // namespace
+} // namespace opencv_test

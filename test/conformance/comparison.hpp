@@ -1,0 +1,30 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// What is asked of a list of lines: that it holds another list's, each once, with honest votes.
+
+#ifndef LINESPACE_CONFORMANCE_COMPARISON_HPP
+#define LINESPACE_CONFORMANCE_COMPARISON_HPP
+
+#include "lines.hpp"
+
+namespace conformance {
+
+//! Lines of `wanted` that have one of `lines` within one cell with at least 98 % of their votes.
+int countFound(const Lines& wanted, const Lines& lines, const Arguments& arguments);
+
+//! Lines that have another one of the same list within one cell.
+int countCrowded(const Lines& lines, const Arguments& arguments);
+
+/** Lines whose votes are not the edge pixels within rho / 2, counted one by one. A pixel on the boundary
+may count or not: theta is known to about `angleError` only. */
+int countWrongVotes(const Lines& lines, const cv::Mat1b& edges, const Arguments& arguments,
+                    double angleError);
+
+//! What rounding to float does to an angle of the range.
+double roundingOf(const Arguments& arguments);
+
+} // namespace conformance
+
+#endif // LINESPACE_CONFORMANCE_COMPARISON_HPP

@@ -1,0 +1,130 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// cv::linespace::HoughLines beside cv::HoughLines of the installed OpenCV: how many of its lines ours
+// has (doc/algorithm.md, section 8). Prints every case and fails below the floors.
+
+#include <cstdlib>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+#include "cases.hpp"
+#include "comparison.hpp"
+#include "opencv2/linespace.hpp"
+#include "opencv_lines.hpp"
+#include "report.hpp"
+#include "support/machine.hpp"
+
+namespace {
+
+using namespace conformance;
+
+//! What ctest takes for a skipped test.
+const int exitSkipped = 77;
+
+struct Options
+{
+    Folders folders;
+    bool all = false, markdown = false;
+    std::string image;
+    double leastMean = 0.995, leastWorst = 0.97;
+};
+
+int parse(int argc, char** argv, Options& options)
+{
+    CLI::App app("Compares cv::linespace::HoughLines with cv::HoughLines", "linespace_conformance");
+    app.add_option("--samples-data", options.folders.samples, "Folder samples/data of OpenCV's sources")
+        ->envname("LINESPACE_SAMPLES_DATA");
+    std::string evaluation;
+    app.add_option("--eval-data", evaluation, "Folder that has opencv_extra/stitching/a1.png")
+        ->envname("LINESPACE_EVAL_DATA");
+    app.add_flag("--all", options.all, "More images, angle ranges and thresholds; takes long");
+    app.add_option("--image", options.image, "Only images whose name begins so");
+    app.add_flag("--markdown", options.markdown, "Print doc/conformance.md instead of the cases");
+    app.add_option("--least-mean", options.leastMean, "Fail below this mean share")
+        ->capture_default_str();
+    app.add_option("--least-worst", options.leastWorst, "Fail below this share in any case")
+        ->capture_default_str();
+    try
+    {
+        app.parse(argc, argv);
+    }
+    catch (const CLI::ParseError& error)
+    {
+        const int status = app.exit(error);
+        std::exit(status ? 2 : 0);
+    }
+    if (!evaluation.empty())
+        options.folders.extra = evaluation + "/opencv_extra";
+    return 0;
+}
+
+//! All thresholds of one search with one set of arguments.
+void compare(const Search& search, const Arguments& arguments, std::vector<Result>& results,
+             std::ostream* cases)
+{
+    // Which lines are local maxima does not depend on the threshold: one call serves all.
+    const Lines all = opencvLines(search.edges, arguments, leastThreshold(search, arguments));
+    for (int threshold : thresholdsOf(search, all))
+    {
+        Lines wanted, lines;
+        for (const cv::Vec3f& line : all)
+            if (line[2] > threshold)
+                wanted.push_back(line);
+        if (wanted.empty())
+            continue;
+        cv::linespace::HoughLines(search.edges, lines, arguments.rho, arguments.theta, threshold, 0,
+                                  0, arguments.minTheta, arguments.maxTheta, arguments.weighted);
+        results.push_back({search.image, search.group, arguments, threshold,
+                           static_cast<int>(wanted.size()), countFound(wanted, lines, arguments),
+                           static_cast<int>(lines.size()), countCrowded(lines, arguments),
+                           countWrongVotes(lines, search.edges, arguments, roundingOf(arguments))});
+        if (cases)
+            printCase(results.back(), *cases);
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+try
+{
+    Options options;
+    parse(argc, argv, options);
+    const Grid grid = makeGrid(options.folders, options.all);
+    std::ostream& notes = options.markdown ? std::cerr : std::cout;
+    for (const std::string& line : grid.skipped)
+        notes << "skipped: " << line << std::endl;
+
+    std::vector<Result> results;
+    for (const Search& search : grid.searches)
+        if (search.image.compare(0, options.image.size(), options.image) == 0)
+            for (const Arguments& arguments : search.arguments)
+                compare(search, arguments, results, options.markdown ? nullptr : &std::cout);
+    if (results.empty())
+    {
+        const char* const required = std::getenv("LINESPACE_REQUIRE_BACKENDS");
+        notes << "no image to compare on" << std::endl;
+        return required && std::string(required) == "1" ? EXIT_FAILURE : exitSkipped;
+    }
+
+    const Summary summary = summaryOf(results);
+    if (options.markdown)
+        printMarkdown(results,
+                      {"command: `" + support::commandLine(argc, argv) + "`, " + support::commit(),
+                       "machine: " + support::machine()},
+                      grid.skipped, std::cout);
+    printSummary(summary, notes);
+    const bool passes = summary.dishonest == 0 && summary.mean >= options.leastMean &&
+                        summary.worst >= options.leastWorst;
+    notes << (passes ? "PASSED" : "FAILED") << ": wanted are a mean of " << options.leastMean
+          << " and a worst case of " << options.leastWorst << std::endl;
+    return passes ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+catch (const std::exception& error)
+{
+    std::cerr << "linespace_conformance: " << error.what() << std::endl;
+    return EXIT_FAILURE;
+}

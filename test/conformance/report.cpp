@@ -1,0 +1,166 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+#include "report.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <iomanip>
+#include <sstream>
+
+namespace conformance {
+
+namespace {
+
+std::string number(double value, int digits)
+{
+    std::ostringstream text;
+    text << std::setprecision(digits) << value;
+    return text.str();
+}
+
+std::string share(double value)
+{
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(4) << value;
+    return text.str();
+}
+
+//! An angle as it is best read: OpenCV's own test gives round numbers of radians, the others degrees.
+std::string angle(double radians)
+{
+    const double hundredths = radians * 100;
+    if (std::abs(hundredths - std::round(hundredths)) < 1e-9 && radians != 0)
+        return number(radians, 4) + " rad";
+    return number(radians * 180 / CV_PI, 5) + "°";
+}
+
+std::string rangeOf(const Arguments& arguments)
+{
+    return angle(arguments.minTheta) + " to " + angle(arguments.maxTheta);
+}
+
+std::string thresholdClass(const Result& result)
+{
+    return result.wanted <= 10     ? "up to 10"
+           : result.wanted <= 100  ? "11 to 100"
+           : result.wanted <= 1000 ? "101 to 1000"
+                                   : "more than 1000";
+}
+
+//! One table: the cases by a key, in the order in which the keys first appear.
+void printTable(const std::vector<Result>& results, const std::string& title,
+                const std::function<std::string(const Result&)>& keyOf, std::ostream& out)
+{
+    std::vector<std::string> keys;
+    for (const Result& result : results)
+        if (std::find(keys.begin(), keys.end(), keyOf(result)) == keys.end())
+            keys.push_back(keyOf(result));
+    out << "\n| " << title
+        << " | cases | mean share | worst case | lines of cv::HoughLines | lines of ours |\n"
+        << "| --- | ---: | ---: | ---: | ---: | ---: |\n";
+    for (const std::string& key : keys)
+    {
+        std::vector<Result> selected;
+        long wanted = 0, lines = 0;
+        for (const Result& result : results)
+            if (keyOf(result) == key)
+            {
+                selected.push_back(result);
+                wanted += result.wanted;
+                lines += result.lines;
+            }
+        const Summary summary = summaryOf(selected);
+        out << "| " << key << " | " << summary.cases << " | " << share(summary.mean) << " | "
+            << share(summary.worst) << " | " << wanted << " | " << lines << " |\n";
+    }
+}
+
+void printWorst(std::vector<Result> results, std::ostream& out)
+{
+    std::stable_sort(results.begin(), results.end(),
+                     [](const Result& a, const Result& b) { return a.share() < b.share(); });
+    results.resize(std::min<std::size_t>(results.size(), 10));
+    out << "\nThe ten worst cases:\n\n"
+           "| image | rho | theta | range | threshold | found | of | share |\n"
+           "| --- | ---: | ---: | --- | ---: | ---: | ---: | ---: |\n";
+    for (const Result& r : results)
+        out << "| " << r.image << " | " << number(r.arguments.rho, 3) << " | "
+            << angle(r.arguments.theta) << " | " << rangeOf(r.arguments) << " | " << r.threshold
+            << " | " << r.found << " | " << r.wanted << " | " << share(r.share()) << " |\n";
+}
+
+} // namespace
+
+Summary summaryOf(const std::vector<Result>& results)
+{
+    Summary summary;
+    for (const Result& result : results)
+    {
+        ++summary.cases;
+        summary.dishonest += !result.isHonest();
+        summary.mean += result.share();
+        summary.worst = std::min(summary.worst, result.share());
+    }
+    summary.mean /= std::max(1, summary.cases);
+    return summary;
+}
+
+void printCase(const Result& r, std::ostream& out)
+{
+    std::ostringstream line;
+    line << std::left << std::setw(24) << r.image << " rho " << std::setw(4)
+         << number(r.arguments.rho, 3) << " theta " << std::setw(9) << angle(r.arguments.theta)
+         << std::setw(15) << rangeOf(r.arguments) << " threshold " << std::setw(6) << r.threshold
+         << (r.arguments.weighted ? "weighted " : "") << "found " << r.found << " of " << r.wanted
+         << " = " << share(r.share()) << ", ours " << r.lines;
+    if (r.crowded)
+        line << ", " << r.crowded << " WITHIN ONE CELL OF ANOTHER";
+    if (r.wrongVotes)
+        line << ", " << r.wrongVotes << " WITH WRONG VOTES";
+    out << line.str() << std::endl;
+}
+
+void printSummary(const Summary& summary, std::ostream& out)
+{
+    out << summary.cases << " cases: mean share " << share(summary.mean) << ", worst case "
+        << share(summary.worst) << "; cases with lines in one cell or with wrong votes: "
+        << summary.dishonest << std::endl;
+}
+
+void printMarkdown(const std::vector<Result>& results, const std::vector<std::string>& heading,
+                   const std::vector<std::string>& skipped, std::ostream& out)
+{
+    const Summary summary = summaryOf(results);
+    out << "# Conformance of the drop-in to cv::HoughLines\n\n"
+           "How many lines of `cv::HoughLines` has `cv::linespace::HoughLines`, called with the same\n"
+           "arguments on the same edge map? A line counts as found if ours has one within one cell\n"
+           "(rho differs by at most rho, theta by at most theta) with at least 98 % of its votes.\n"
+           "cv::HoughLines reports every local maximum of its accumulator, so that an edge gives\n"
+           "several neighbouring lines; ours reports no two within one cell, hence the difference\n"
+           "in numbers. The lines of cv::HoughLines are first freed of the bias of half a rho that\n"
+           "its versions before 4.13 have where the number of cells is even.\n\n"
+           "A case is an edge map, a resolution, an angle range and a threshold. Thresholds are\n"
+           "those at which cv::HoughLines gives 10, 100 and 2000 lines, and those of OpenCV's own\n"
+           "test. The share of a case is the lines found by all lines of cv::HoughLines; means are\n"
+           "over cases. In every case the test also checks that no two of our lines are within one\n"
+           "cell, and counts the edge pixels of each of our lines to verify its votes.\n\n";
+    for (const std::string& line : heading)
+        out << "- " << line << "\n";
+    for (const std::string& line : skipped)
+        out << "- left out: " << line << "\n";
+    out << "\n**" << summary.cases << " cases: mean share " << share(summary.mean) << ", worst case "
+        << share(summary.worst) << "; cases with two lines in one cell or with wrong votes: "
+        << summary.dishonest << ".**\n";
+    printTable(results, "lines of cv::HoughLines in the case", thresholdClass, out);
+    printTable(results, "what is varied", [](const Result& r) { return r.group; }, out);
+    printTable(results, "rho, theta", [](const Result& r) {
+        return number(r.arguments.rho, 3) + " px, " + angle(r.arguments.theta);
+    }, out);
+    printTable(results, "angle range", [](const Result& r) { return rangeOf(r.arguments); }, out);
+    printTable(results, "image", [](const Result& r) { return r.image; }, out);
+    printWorst(results, out);
+}
+
+} // namespace conformance
