@@ -21,8 +21,9 @@ class EdgeMap(ProgramTest):
         edges = pictures.vertical(pictures.horizontal(pictures.black(96, 64), 20), 30)
         pictures.write_png(self.folder / "edges.png", edges)
 
-    def lines(self, *arguments, threshold=40):
-        return super().lines("edges.png", "--edge-map", "--threshold", threshold, *arguments)
+    def lines(self, *arguments, threshold=40, selection="peaks"):
+        return super().lines("edges.png", "--edge-map", "--threshold", threshold,
+                             "--selection", selection, *arguments)
 
     def assert_line(self, line, rho, degrees, votes, ends):
         # (rho, theta) and (-rho, theta - pi) are the same line.
@@ -53,6 +54,18 @@ class EdgeMap(ProgramTest):
         self.assertEqual(len(self.lines(threshold=63)), 2)
         self.assertEqual(len(self.lines(threshold=64)), 1)
         self.assertEqual(len(self.lines(threshold=96)), 0)
+
+    def test_selection(self):
+        # The pixel of the crossing votes for both lines, or for the stronger one alone.
+        self.assertEqual(len(self.lines(threshold=63, selection="peaks")), 2)
+        self.assertEqual(len(self.lines(threshold=63, selection="explain")), 1)
+        self.assert_both_lines(self.lines(threshold=62, selection="explain"))
+
+    def test_min_distance(self):
+        pictures.write_png(self.folder / "edges.png", pictures.horizontal(
+            pictures.horizontal(pictures.black(96, 64), 20), 25))
+        self.assertEqual(len(self.lines("--min-distance", "4")), 2)
+        self.assertEqual(len(self.lines("--min-distance", "6")), 1)
 
     def test_max_lines(self):
         self.assertEqual([line["votes"] for line in self.lines("--max-lines", "1")], [96])

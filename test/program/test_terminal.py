@@ -9,6 +9,7 @@ import os
 import pty
 import struct
 import subprocess
+import sys
 import termios
 import unittest
 
@@ -83,4 +84,10 @@ class Terminal(ProgramTest):
 
 
 if __name__ == "__main__":
+    try:
+        for end in pty.openpty():
+            os.close(end)
+    except OSError as error:
+        print("skipped: no pseudo-terminal here:", error)
+        sys.exit(77)  # what CMakeLists.txt tells ctest to take for a skipped test
     unittest.main()
