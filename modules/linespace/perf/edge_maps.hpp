@@ -1,0 +1,35 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// Edge maps of photographs, the same for every implementation that is timed.
+
+#ifndef OPENCV_LINESPACE_PERF_EDGE_MAPS_HPP
+#define OPENCV_LINESPACE_PERF_EDGE_MAPS_HPP
+
+#include "perf_precomp.hpp"
+
+#include <cstdlib>
+
+namespace opencv_test {
+
+/** Canny edges (50/150) of one of OpenCV's sample photographs, scaled to the size; never an empty image. The
+folder is that of the environment variable LINESPACE_SAMPLES_DATA, without which the test is skipped. */
+inline cv::Mat photographEdges(const std::string& name, cv::Size size)
+{
+    const char* folder = std::getenv("LINESPACE_SAMPLES_DATA");
+    if (!folder)
+        throw cvtest::SkipTestException("LINESPACE_SAMPLES_DATA is not set: no photographs");
+    const cv::Mat grey = cv::imread(std::string(folder) + "/" + name, cv::IMREAD_GRAYSCALE);
+    if (grey.empty())
+        throw cvtest::SkipTestException("cannot read " + name + " in LINESPACE_SAMPLES_DATA");
+    cv::Mat scaled, edges;
+    cv::resize(grey, scaled, size, 0, 0, cv::INTER_AREA);
+    cv::Canny(scaled, edges, 50, 150);
+    CV_Assert(cv::countNonZero(edges) > 0);
+    return edges;
+}
+
+} // namespace opencv_test
+
+#endif // OPENCV_LINESPACE_PERF_EDGE_MAPS_HPP

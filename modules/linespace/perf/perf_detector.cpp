@@ -1,0 +1,80 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// The detector, whole and by stage. A detector keeps its buffers, so all but the first cycle are warm, as in a
+// program that detects lines in one frame after the other.
+
+#include "edge_maps.hpp"
+
+namespace opencv_test {
+namespace {
+
+namespace ls = cv::linespace;
+
+#define LINESPACE_SIZES                                                                                        \
+    testing::Values(cv::Size(64, 64), cv::Size(128, 128), cv::Size(256, 256), cv::Size(512, 512),              \
+                    cv::Size(1024, 1024), cv::Size(640, 480), cv::Size(1280, 720), cv::Size(1920, 1080))
+
+typedef perf::TestBaseWithParam<tuple<std::string, cv::Size> > Detector_Photograph;
+
+//! The 100 strongest lines above a fixed threshold, refined.
+PERF_TEST_P(Detector_Photograph, detect, testing::Combine(testing::Values("building.jpg", "home.jpg"), LINESPACE_SIZES))
+{
+    const cv::Mat edges = photographEdges(get<0>(GetParam()), get<1>(GetParam()));
+    const int threshold = std::min(edges.cols, edges.rows) / 5;
+    const cv::Ptr<ls::LineSpaceDetector> detector = ls::LineSpaceDetector::create(threshold, 100);
+    std::vector<cv::Vec3f> lines;
+    TEST_CYCLE() detector->detect(edges, lines);
+    EXPECT_FALSE(lines.empty());
+    SANITY_CHECK_NOTHING();
+}
+
+//! With the statistical threshold, and one line per edge.
+PERF_TEST_P(Detector_Photograph, detect_significant,
+            testing::Combine(testing::Values("building.jpg", "home.jpg"), LINESPACE_SIZES))
+{
+    const cv::Mat edges = photographEdges(get<0>(GetParam()), get<1>(GetParam()));
+    const cv::Ptr<ls::LineSpaceDetector> detector = ls::LineSpaceDetector::create(0, 100);
+    detector->setSelection(ls::SELECT_EXPLAIN);
+    std::vector<cv::Vec3f> lines;
+    TEST_CYCLE() detector->detect(edges, lines);
+    SANITY_CHECK_NOTHING();
+}
+
+typedef perf::TestBaseWithParam<cv::Size> Detector_Table;
+
+//! METHOD_EXACT: O(n^3), so small images only.
+PERF_TEST_P(Detector_Table, exact, testing::Values(cv::Size(64, 64), cv::Size(128, 128), cv::Size(256, 256)))
+{
+    const cv::Mat edges = photographEdges("building.jpg", GetParam());
+    const cv::Ptr<ls::LineSpaceDetector> detector = ls::LineSpaceDetector::create(20, 100, ls::METHOD_EXACT);
+    std::vector<cv::Vec3f> lines;
+    TEST_CYCLE() detector->detect(edges, lines);
+    SANITY_CHECK_NOTHING();
+}
+
+PERF_TEST_P(Detector_Table, compute, testing::Values(cv::Size(64, 64), cv::Size(256, 256), cv::Size(512, 512)))
+{
+    const cv::Mat edges = photographEdges("building.jpg", GetParam());
+    const cv::Ptr<ls::LineSpaceDetector> detector = ls::LineSpaceDetector::create();
+    cv::Mat table;
+    TEST_CYCLE() detector->compute(edges, table);
+    EXPECT_GT(cv::countNonZero(table), 0);
+    SANITY_CHECK_NOTHING();
+}
+
+typedef perf::TestBaseWithParam<int> Detector_Level;
+
+//! One level after the other of 512 x 512, written out as a table: the difference of two is a merge.
+PERF_TEST_P(Detector_Level, computeLevel, testing::Range(0, 13))
+{
+    const cv::Mat edges = photographEdges("building.jpg", cv::Size(512, 512));
+    const cv::Ptr<ls::LineSpaceDetector> detector = ls::LineSpaceDetector::create();
+    cv::Mat table;
+    TEST_CYCLE() detector->computeLevel(edges, GetParam(), table);
+    SANITY_CHECK_NOTHING();
+}
+
+} // namespace
+} // namespace opencv_test
