@@ -17,7 +17,7 @@ namespace program {
 namespace {
 
 //! search: runs once and returns its milliseconds.
-template <typename Search>
+template<typename Search>
 double medianMilliseconds(const Search& search)
 {
     search();
@@ -51,14 +51,16 @@ Comparison compare(const Options& options, const Picture& picture, const Found& 
     const double degree = CV_PI / 180;
     const int threshold = houghThreshold(options, ours);
     std::vector<cv::Vec3f> lines;
-    const double theirTime = medianMilliseconds([&] {
-        cv::TickMeter time;
-        time.start();
-        cv::HoughLines(picture.edges, lines, 1, options.houghStep * degree, threshold, 0, 0,
-                       options.minAngle * degree, options.maxAngle * degree);
-        time.stop();
-        return time.getTimeMilli();
-    });
+    const double theirTime = medianMilliseconds(
+        [&]
+        {
+            cv::TickMeter time;
+            time.start();
+            cv::HoughLines(picture.edges, lines, 1, options.houghStep * degree, threshold, 0, 0,
+                           options.minAngle * degree, options.maxAngle * degree);
+            time.stop();
+            return time.getTimeMilli();
+        });
     const double ourTime = medianMilliseconds([&] { return finder.find(picture).milliseconds; });
 
     const std::size_t wanted = static_cast<std::size_t>(options.maxLines);

@@ -37,7 +37,7 @@ cv::Mat drawOver(const cv::Mat& colors, const std::vector<cv::Vec3f>& lines,
                  const cv::Scalar& color)
 {
     cv::Mat result = colors.clone();
-    const int thickness = std::max(1, cvRound(std::hypot(colors.cols, colors.rows) / 450));
+    const int thickness = std::max(2, cvRound(std::hypot(colors.cols, colors.rows) / 450));
     // The weakest first, so that the strongest end on top.
     for (std::size_t i = lines.size(); i-- > 0;)
     {

@@ -52,8 +52,8 @@ std::string sizeText(cv::Size size)
 } // namespace
 
 LineFinder::LineFinder(const Options& options)
-    : options_(options)
-    , detector_(cv::linespace::LineSpaceDetector::create(options.threshold, options.maxLines,
+    : options_(options),
+      detector_(cv::linespace::LineSpaceDetector::create(options.threshold, options.maxLines,
                                                          methodOf(options), options.cellSize,
                                                          backendOf(options)))
 {

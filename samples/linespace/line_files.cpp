@@ -143,8 +143,7 @@ std::string xmlText(const std::string& text)
 } // namespace
 
 LineFile::LineFile(const Options& options, const std::string& path)
-    : path_(path)
-    , csv_("image,frame,line,rho,theta,votes,x1,y1,x2,y2\n")
+    : path_(path), csv_("image,frame,line,rho,theta,votes,x1,y1,x2,y2\n")
 {
     json_ = {{"program", "linespace " LINESPACE_VERSION},
              {"opencv", cv::getVersionString()},
@@ -185,9 +184,10 @@ void writeSvg(const std::string& path, const Picture& picture, const Found& foun
                              "viewBox=\"-0.5 -0.5 %d %d\">\n",
                              width, height, width, height);
     svg += "  <title>" + xmlText(found.input) + "</title>\n";
-    svg += format("  <image x=\"-0.5\" y=\"-0.5\" width=\"%d\" height=\"%d\" href=\"data:image/jpeg;"
-                  "base64,",
-                  width, height);
+    svg +=
+        format("  <image x=\"-0.5\" y=\"-0.5\" width=\"%d\" height=\"%d\" href=\"data:image/jpeg;"
+               "base64,",
+               width, height);
     svg += base64(bytes) + "\"/>\n";
     svg += format("  <g stroke=\"#ff3c28\" stroke-width=\"%.2f\">\n", thickness);
     for (std::size_t i = 0; i < found.lines.size(); ++i)

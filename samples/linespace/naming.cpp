@@ -57,8 +57,8 @@ std::string nameFor(const std::string& option, const std::string& input, const c
 void requireFormat(const char* option, const std::string& path, bool known, const char* allowed)
 {
     if (!path.empty() && !known)
-        throw UsageError(format("%s: '%s' is not allowed; it must be %s", option, path.c_str(),
-                                allowed));
+        throw UsageError(
+            format("%s: '%s' is not allowed; it must be %s", option, path.c_str(), allowed));
 }
 
 void requireKnownFormats(const Options& o)
@@ -67,7 +67,8 @@ void requireKnownFormats(const Options& o)
                   isFolder(o.output) || isImageName(o.output) || isVideoName(o.output),
                   "a folder, an image (.png, .jpg, .bmp, .tif, .webp, ...) or a video (.mp4, .avi, "
                   ".mkv, .mov)");
-    requireFormat("--show-linespace", o.lineSpace, isFolder(o.lineSpace) || isImageName(o.lineSpace),
+    requireFormat("--show-linespace", o.lineSpace,
+                  isFolder(o.lineSpace) || isImageName(o.lineSpace),
                   "a folder or an image (.png, .jpg, .bmp, .tif, .webp, ...)");
     for (const std::string& path : o.lineFiles)
         requireFormat("--lines", path, !lineFormat(path).empty(), "a .json, .csv or .svg file");

@@ -22,7 +22,8 @@ const char* const backendNames[] = {"auto", "reference", "cpu", "opencl", "openg
 const char* const methodNames[] = {"exact", "cascaded"};
 const char* const selectionNames[] = {"peaks", "explain"};
 
-const char* const examples = R"(Names of files to write: a plain name serves one input. For several inputs give a folder, or a
+const char* const examples =
+    R"(Names of files to write: a plain name serves one input. For several inputs give a folder, or a
 name with a * that stands for the input's name; frames of a video are numbered. One JSON or CSV
 file takes the lines of all inputs.
 
@@ -47,7 +48,8 @@ CLI::Validator between(double low, double high, bool whole)
     range << (whole ? "a whole number" : "a number") << " from " << low << " to " << high;
     const std::string allowed = range.str();
     return CLI::Validator(
-        [=](const std::string& text) {
+        [=](const std::string& text)
+        {
             char* end = nullptr;
             const double value = whole ? static_cast<double>(std::strtoll(text.c_str(), &end, 10))
                                        : std::strtod(text.c_str(), &end);
@@ -87,7 +89,7 @@ void requireComparable(const std::vector<double>& angles)
                                    CLI::ExitCodes::ValidationError);
 }
 
-template <typename Number>
+template<typename Number>
 std::string brief(Number value)
 {
     std::ostringstream text;
@@ -95,13 +97,13 @@ std::string brief(Number value)
     return text.str();
 }
 
-template <std::size_t N>
+template<std::size_t N>
 std::vector<std::string> listOf(const char* const (&names)[N])
 {
     return {names, names + N};
 }
 
-template <std::size_t N>
+template<std::size_t N>
 int indexOf(const char* const (&names)[N], const std::string& name)
 {
     for (std::size_t i = 0; i < N; ++i)
@@ -136,7 +138,8 @@ std::optional<int> parse(int argc, char** argv, Options& o)
 
     // The text that stands behind the name in --help: what it takes, and the default.
     const auto describe = [](CLI::Option* added, const char* group, const std::string& takes,
-                             const std::string& usual = "") {
+                             const std::string& usual = "")
+    {
         return added->group(group)->option_text(usual.empty() ? takes : takes + " (" + usual + ")");
     };
 
@@ -156,9 +159,9 @@ std::optional<int> parse(int argc, char** argv, Options& o)
     app.add_flag("--compare", o.compare,
                  "Show the strongest lines of cv::HoughLines beside ours, and both times")
         ->group(group);
-    describe(app.add_option("--hough-step", o.houghStep,
-                            "Angle step of cv::HoughLines for --compare"),
-             group, "DEGREES", brief(o.houghStep))
+    describe(
+        app.add_option("--hough-step", o.houghStep, "Angle step of cv::HoughLines for --compare"),
+        group, "DEGREES", brief(o.houghStep))
         ->check(number(0.01, 90));
     app.add_flag("-q,--quiet", o.quiet, "Print errors only")->group(group);
 

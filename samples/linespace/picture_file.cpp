@@ -16,9 +16,9 @@
 namespace program {
 
 PictureFile::PictureFile(const std::string& path, double framesPerSecond)
-    : path_(path)
-    , framesPerSecond_(framesPerSecond > 0 ? framesPerSecond : 25)
-{}
+    : path_(path), framesPerSecond_(framesPerSecond > 0 ? framesPerSecond : 25)
+{
+}
 
 void PictureFile::write(const cv::Mat& picture, int frame)
 {

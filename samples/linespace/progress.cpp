@@ -17,7 +17,7 @@ namespace program {
 
 namespace {
 
-template <typename... Values>
+template<typename... Values>
 std::string format(const char* pattern, Values... values)
 {
     char text[64];
@@ -98,11 +98,10 @@ std::string progressText(int done, int total, double seconds, int width, const s
 }
 
 Progress::Progress(int total, bool enabled)
-    : total_(total)
-    , shown_(enabled && isCapableTerminal())
-    , start_(Clock::now())
-    , nextUpdate_(start_)
-{}
+    : total_(total), shown_(enabled && isCapableTerminal()), start_(Clock::now()),
+      nextUpdate_(start_)
+{
+}
 
 Progress::~Progress()
 {

@@ -57,10 +57,7 @@ private:
 
 Run::Run(const Options& options, const std::vector<Input>& inputs,
          const std::vector<OutputNames>& names)
-    : options_(options)
-    , inputs_(inputs)
-    , names_(names)
-    , finder_(options)
+    : options_(options), inputs_(inputs), names_(names), finder_(options)
 {
     for (const std::string& path : options.lineFiles)
         shared_.push_back(isSharedLineFile(path) ? std::make_unique<LineFile>(options, path)
@@ -92,8 +89,8 @@ void Run::one(const Input& input, const OutputNames& names)
     ofInput_.clear();
     for (std::size_t i = 0; i < shared_.size(); ++i)
     {
-        const bool own = !shared_[i] && !names.lineFiles.empty() &&
-                         lineFormat(options_.lineFiles[i]) != ".svg";
+        const bool own =
+            !shared_[i] && !names.lineFiles.empty() && lineFormat(options_.lineFiles[i]) != ".svg";
         ofInput_.push_back(own ? std::make_unique<LineFile>(options_, names.lineFiles[i])
                                : nullptr);
     }
@@ -120,13 +117,14 @@ void Run::readInput(const Input& input, const OutputNames& names)
 {
     FrameReader reader(input.path);
     if (alone()) // the bar then counts frames
-        progress_ = std::make_unique<Progress>(reader.frameCount(),
-                                               reader.isVideo() && !options_.quiet);
+        progress_ =
+            std::make_unique<Progress>(reader.frameCount(), reader.isVideo() && !options_.quiet);
     PictureFile annotated(names.annotated, reader.framesPerSecond());
     int frames = 0;
     std::size_t lines = 0;
     double milliseconds = 0;
-    const auto tellSoFar = [&] {
+    const auto tellSoFar = [&]
+    {
         if (reader.isVideo())
             tellVideo(input.path, frames, lines, milliseconds);
     };
@@ -190,7 +188,8 @@ void Run::writeFrame(const Picture& picture, const Found& found, const OutputNam
     }
     // Last, because a large image may have no room for its table while its lines are fine.
     if (!names.lineSpace.empty())
-        PictureFile(names.lineSpace).write(lineSpacePicture(finder_.lineSpace(picture)), found.frame);
+        PictureFile(names.lineSpace)
+            .write(lineSpacePicture(finder_.lineSpace(picture)), found.frame);
 }
 
 void Run::tell(const Found& found)

@@ -11,8 +11,7 @@
 
 namespace program {
 
-SilentStderr::SilentStderr()
-    : saved_(-1)
+SilentStderr::SilentStderr() : saved_(-1)
 {
     std::fflush(stderr);
     const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);

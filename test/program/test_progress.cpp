@@ -47,7 +47,8 @@ int main()
     expect(progressText(7, 0, 2, 80, "a.mp4"), "7  3.5/s  a.mp4");
 
     // A long label loses its start, and never half a character.
-    expect(progressText(0, 2, 0, 30, "folder/with/a/long/name.png"), "  0% 0/2  .../a/long/name.png");
+    expect(progressText(0, 2, 0, 30, "folder/with/a/long/name.png"),
+           "  0% 0/2  .../a/long/name.png");
     const std::string umlauts = "\xC3\xA4\xC3\xB6\xC3\xBC\xC3\xA4\xC3\xB6\xC3\xBC.png";
     for (int width = 1; width < 40; ++width)
     {
@@ -59,9 +60,10 @@ int main()
 
     for (int width = 1; width < 200; ++width)
         for (int done = 0; done <= 100; ++done)
-            expectTrue(progressText(done, 100, done * 100.0, width, "photographs/house.png").size() <
-                           static_cast<std::size_t>(width),
-                       "fits into " + std::to_string(width) + " columns");
+            expectTrue(
+                progressText(done, 100, done * 100.0, width, "photographs/house.png").size() <
+                    static_cast<std::size_t>(width),
+                "fits into " + std::to_string(width) + " columns");
 
     // More done than announced, as by a video that understates its frames.
     expectTrue(progressText(12, 10, 1, 80, "a").find("100%") != std::string::npos, "at most 100 %");
