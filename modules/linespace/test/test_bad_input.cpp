@@ -126,6 +126,11 @@ TEST_P(Linespace_BadInput, types_of_outputs)
     std::vector<Vec2f> pairs(2, Vec2f(1, 2));
     Mat1b bytes(2, 2, (uchar)5);
     const Mat before = bytes.clone();
+    const Size frame = detector->getFrameSize();
+    const Mat1b larger = randomEdges(Size(60, 50), 0.3, 2);
+    EXPECT_EQ("", wrongException([&]() { detector->detect(larger, pairs); }, Words()));
+    EXPECT_EQ("", wrongException([&]() { detector->compute(larger, bytes); }, Words()));
+    EXPECT_EQ(frame, detector->getFrameSize()) << "the detector changed";
     EXPECT_EQ("", wrongException([&]() { detector->detect(good, pairs); }, Words()));
     EXPECT_EQ("", wrongException([&]() { detector->detect(good, bytes); }, Words()));
     EXPECT_EQ("", wrongException([&]() { detector->compute(good, bytes); }, Words()));

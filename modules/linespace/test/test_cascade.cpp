@@ -157,9 +157,11 @@ TEST_P(Linespace_Cascade, reused_detector)
     Ptr<LineSpaceDetector> detector =
         LineSpaceDetector::create(1, 0, METHOD_CASCADED, 8, GetParam());
     RNG rng(77);
-    for (int i = 0; i < 40; ++i)
+    Size size;
+    for (int i = 0; i < 60; ++i)
     {
-        const Size size(rng.uniform(1, 60), rng.uniform(1, 60));
+        if (i % 4 == 0) // the same size several times, with other parameters
+            size = Size(rng.uniform(1, 60), rng.uniform(1, 60));
         const int cellSize = rng.uniform(2, 9);
         const int method = rng.uniform(0, 4) == 0 ? METHOD_EXACT : METHOD_CASCADED;
         const bool weighted = rng.uniform(0, 3) == 0;

@@ -71,8 +71,9 @@ TEST_P(Linespace_Exact, weights)
     {
         const Size size(side, 21 - side);
         const Mat1b edges = randomEdges(size, 0.5, side);
-        ASSERT_TRUE(expectSameTable(table(edges, true), brute::exactTable(edges, size, true),
-                                    origin(size)));
+        const Mat expected = brute::exactTable(edges, size, true);
+        ASSERT_TRUE(expectSameTable(table(edges, true), expected, origin(size)));
+        ASSERT_TRUE(expectSameTable(table(asWindow(edges), true), expected, origin(size)));
     }
 }
 

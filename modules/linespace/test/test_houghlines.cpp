@@ -251,6 +251,23 @@ TEST(Linespace_HoughLines_Arguments, angle_ranges)
     }
 }
 
+// The last angle of a coarse grid is next to the end of the range, on either side of it.
+TEST(Linespace_HoughLines_Arguments, ranges_that_end_at_an_angle_of_the_grid)
+{
+    const Mat1b edges = scene(5);
+    const double ends[] = {1, 1 - 1e-7, 1 - 4e-7, 1 - 1e-6, 1 + 1e-7};
+    for (int i = 0; i < 5; ++i)
+        for (int j = 0; j < 2; ++j)
+        {
+            Arguments arguments(1, j ? 0.5 : 0.01, 20);
+            arguments.minTheta = -1;
+            arguments.maxTheta = ends[i];
+            const Lines lines = houghLines(edges, arguments);
+            EXPECT_FALSE(lines.empty());
+            checkLines(edges, lines, arguments);
+        }
+}
+
 TEST(Linespace_HoughLines_Arguments, upright_line_in_every_range)
 {
     Mat1b edges(60, 50, (uchar)0);
@@ -324,8 +341,7 @@ TEST(Linespace_HoughLines_Arguments, multi_scale)
         cv::linespace::HoughLines(edges, lines, 2, 2 * degree, 25, divisors[i][0], divisors[i][1]);
         Arguments fine(2 / std::max(1.0, divisors[i][0]),
                        2 * degree / std::max(1.0, divisors[i][1]), 25);
-        for (size_t j = 0; j < lines.size(); ++j)
-            ASSERT_GT(lines[j][2], 25);
+        checkLines(edges, lines, fine);
         for (size_t j = 0; j < drawn.size(); ++j)
         {
             const double nearest = nearestLine(drawn[j], lines, edges.size());
