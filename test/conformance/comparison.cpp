@@ -4,7 +4,7 @@
 
 #include "comparison.hpp"
 
-#include <atomic>
+#include <algorithm>
 #include <cmath>
 
 #include "cell_index.hpp"
@@ -36,14 +36,17 @@ Pixels edgePixels(const cv::Mat1b& edges, bool weighted)
     return pixels;
 }
 
-//! The votes of the pixels at most this far from a line.
-int votesWithin(const Pixels& pixels, const cv::Vec3f& line, double distance)
+VoteRange votesOf(const Pixels& pixels, const cv::Vec3f& line, double inside, double outside)
 {
     const double c = std::cos(static_cast<double>(line[1]));
     const double s = std::sin(static_cast<double>(line[1])), rho = line[0];
-    int votes = 0;
+    VoteRange votes = {0, 0};
     for (std::size_t i = 0; i < pixels.x.size(); ++i)
-        votes += std::abs(pixels.x[i] * c + pixels.y[i] * s - rho) <= distance ? pixels.values[i] : 0;
+    {
+        const double distance = std::abs(pixels.x[i] * c + pixels.y[i] * s - rho);
+        votes.fewest += distance < inside ? pixels.values[i] : 0;
+        votes.most += distance < outside ? pixels.values[i] : 0;
+    }
     return votes;
 }
 
@@ -72,28 +75,28 @@ int countCrowded(const Lines& lines, const Arguments& arguments)
     return count;
 }
 
-int countWrongVotes(const Lines& lines, const cv::Mat1b& edges, const Arguments& arguments,
-                    double angleError)
+std::vector<VoteRange> countVotes(const Lines& lines, const cv::Mat1b& edges,
+                                  const Arguments& arguments)
 {
     const Pixels pixels = edgePixels(edges, arguments.weighted);
-    const double boundary = (edges.cols + edges.rows) * angleError;
-    std::atomic<int> count(0);
+    const double largestAngle =
+        std::max({1.0, std::abs(arguments.minTheta), std::abs(arguments.maxTheta)});
+    const double boundary = 1.2e-7 * largestAngle * (edges.cols + edges.rows);
+    std::vector<VoteRange> votes(lines.size());
     cv::parallel_for_(cv::Range(0, static_cast<int>(lines.size())), [&](const cv::Range& range) {
         for (int i = range.start; i < range.end; ++i)
-        {
-            const int fewest = votesWithin(pixels, lines[i], 0.5 * arguments.rho - boundary);
-            const int most = votesWithin(pixels, lines[i], 0.5 * arguments.rho + boundary);
-            if (lines[i][2] < fewest || lines[i][2] > most)
-                ++count;
-        }
+            votes[i] = votesOf(pixels, lines[i], 0.5 * arguments.rho - boundary,
+                               0.5 * arguments.rho + boundary);
     });
-    return count;
+    return votes;
 }
 
-double roundingOf(const Arguments& arguments)
+int countWrongVotes(const Lines& lines, const std::vector<VoteRange>& counted)
 {
-    const double largest = std::max(std::abs(arguments.minTheta), std::abs(arguments.maxTheta));
-    return 1.2e-7 * std::max(1.0, largest);
+    int count = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        count += lines[i][2] < counted[i].fewest || lines[i][2] > counted[i].most;
+    return count;
 }
 
 } // namespace conformance

@@ -17,13 +17,19 @@ int countFound(const Lines& wanted, const Lines& lines, const Arguments& argumen
 //! Lines that have another one of the same list within one cell.
 int countCrowded(const Lines& lines, const Arguments& arguments);
 
-/** Lines whose votes are not the edge pixels within rho / 2, counted one by one. A pixel on the boundary
-may count or not: theta is known to about `angleError` only. */
-int countWrongVotes(const Lines& lines, const cv::Mat1b& edges, const Arguments& arguments,
-                    double angleError);
+//! The fewest and the most votes that a line can have: a pixel on the boundary may count or not.
+struct VoteRange
+{
+    int fewest, most;
+};
 
-//! What rounding to float does to an angle of the range.
-double roundingOf(const Arguments& arguments);
+/** The votes of each line by definition, the edge pixels within rho / 2, counted one by one. On the
+boundary is what rounding the line to float can move over it. */
+std::vector<VoteRange> countVotes(const Lines& lines, const cv::Mat1b& edges,
+                                  const Arguments& arguments);
+
+//! Lines whose votes are not in the range.
+int countWrongVotes(const Lines& lines, const std::vector<VoteRange>& counted);
 
 } // namespace conformance
 

@@ -4,10 +4,12 @@
 
 #include "opencv_lines.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 #include <utility>
 
+#include "comparison.hpp"
 #include "opencv2/imgproc.hpp"
 
 namespace conformance {
@@ -63,6 +65,15 @@ Lines opencvLines(const cv::Mat1b& edges, const Arguments& arguments, int thresh
     houghLines<cv::Mat>(edges, arguments, threshold, lines);
     removeBias(lines, arguments.rho);
     return lines;
+}
+
+Lines withRealVotes(const Lines& lines, const cv::Mat1b& edges, const Arguments& arguments)
+{
+    const std::vector<VoteRange> counted = countVotes(lines, edges, arguments);
+    Lines real = lines;
+    for (std::size_t i = 0; i < real.size(); ++i)
+        real[i][2] = std::min(real[i][2], static_cast<float>(counted[i].most));
+    return real;
 }
 
 } // namespace conformance

@@ -15,25 +15,33 @@
 
 namespace conformance {
 
+//! How many of a number of lines have a counterpart.
+struct Share
+{
+    int found, of;
+    double value() const { return of ? static_cast<double>(found) / of : 1; }
+};
+
 struct Result
 {
     std::string image, group;
     Arguments arguments;
     int threshold;
-    int wanted;     //!< lines of cv::HoughLines
-    int found;      //!< of them, those that have a counterpart
+    Share claimed;  //!< lines of cv::HoughLines with the votes that it reports
+    Share real;     //!< those whose real votes are above the threshold, with these votes
     int lines;      //!< ours
     int crowded;    //!< ours within one cell of another one
     int wrongVotes; //!< ours whose votes are not what counting gives
 
-    double share() const { return static_cast<double>(found) / wanted; }
     bool isHonest() const { return crowded == 0 && wrongVotes == 0; }
 };
 
+//! Over cases.
 struct Summary
 {
     int cases = 0, dishonest = 0;
-    double mean = 0, worst = 1;
+    double mean = 0, worst = 1;         //!< of the claimed shares
+    double realMean = 0, realWorst = 1; //!< of the real ones
 };
 
 Summary summaryOf(const std::vector<Result>& results);

@@ -34,7 +34,7 @@ diff <(cd "$root/modules/linespace/include" && find . -name '*.hpp' | sort) \
 
 step "symbols"
 library=$(find "$prefix" -name libopencv_linespace.so)
-nm -DC --undefined-only "$library" | tee "$work/undefined.txt" | grep -c . >/dev/null
+nm -DC --undefined-only "$library" >"$work/undefined.txt"
 ! grep -E 'cv::HoughLines|cvHoughLines' "$work/undefined.txt" || fail "calls cv::HoughLines"
 # Types W, V and u are what C++ must share (vtables, type information); the rest are ours alone.
 nm -DC --defined-only "$library" >"$work/defined.txt"
