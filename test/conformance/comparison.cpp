@@ -36,10 +36,10 @@ Pixels edgePixels(const cv::Mat1b& edges, bool weighted)
     return pixels;
 }
 
-VoteRange votesOf(const Pixels& pixels, const cv::Vec3f& line, double inside, double outside)
+//! The votes of the pixels that are less than `inside` and less than `outside` away from a line.
+VoteRange votesOf(const Pixels& pixels, double rho, double theta, double inside, double outside)
 {
-    const double c = std::cos(static_cast<double>(line[1]));
-    const double s = std::sin(static_cast<double>(line[1])), rho = line[0];
+    const double c = std::cos(theta), s = std::sin(theta);
     VoteRange votes = {0, 0};
     for (std::size_t i = 0; i < pixels.x.size(); ++i)
     {
@@ -48,6 +48,14 @@ VoteRange votesOf(const Pixels& pixels, const cv::Vec3f& line, double inside, do
         votes.most += distance < outside ? pixels.values[i] : 0;
     }
     return votes;
+}
+
+template <class Body> void forEachInParallel(std::size_t count, Body body)
+{
+    cv::parallel_for_(cv::Range(0, static_cast<int>(count)), [&](const cv::Range& range) {
+        for (int i = range.start; i < range.end; ++i)
+            body(i);
+    });
 }
 
 } // namespace
@@ -82,11 +90,26 @@ std::vector<VoteRange> countVotes(const Lines& lines, const cv::Mat1b& edges,
     const double largestAngle =
         std::max({1.0, std::abs(arguments.minTheta), std::abs(arguments.maxTheta)});
     const double boundary = 1.2e-7 * largestAngle * (edges.cols + edges.rows);
+    const double inside = 0.5 * arguments.rho - boundary, outside = 0.5 * arguments.rho + boundary;
     std::vector<VoteRange> votes(lines.size());
-    cv::parallel_for_(cv::Range(0, static_cast<int>(lines.size())), [&](const cv::Range& range) {
-        for (int i = range.start; i < range.end; ++i)
-            votes[i] = votesOf(pixels, lines[i], 0.5 * arguments.rho - boundary,
-                               0.5 * arguments.rho + boundary);
+    forEachInParallel(lines.size(), [&](int i) {
+        votes[i] = votesOf(pixels, lines[i][0], lines[i][1], inside, outside);
+    });
+    return votes;
+}
+
+std::vector<int> countVotesOnGrid(const Lines& lines, const cv::Mat1b& edges,
+                                  const Arguments& arguments)
+{
+    const Pixels pixels = edgePixels(edges, arguments.weighted);
+    // Far more than double precision loses, far less than any pixel's distance from the boundary.
+    const double outside = 0.5 * arguments.rho + 1e-9;
+    std::vector<int> votes(lines.size());
+    forEachInParallel(lines.size(), [&](int i) {
+        const double rho = std::round(lines[i][0] / arguments.rho) * arguments.rho;
+        const double step = std::round((lines[i][1] - arguments.minTheta) / arguments.theta);
+        const double theta = arguments.minTheta + step * arguments.theta;
+        votes[i] = votesOf(pixels, rho, theta, outside, outside).most;
     });
     return votes;
 }

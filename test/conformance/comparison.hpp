@@ -28,6 +28,11 @@ boundary is what rounding the line to float can move over it. */
 std::vector<VoteRange> countVotes(const Lines& lines, const cv::Mat1b& edges,
                                   const Arguments& arguments);
 
+//! The votes of a line of the grid (i rho, min_theta + j theta), free of rounding to float; pixels at
+//! a distance of exactly rho / 2 count.
+std::vector<int> countVotesOnGrid(const Lines& lines, const cv::Mat1b& edges,
+                                  const Arguments& arguments);
+
 //! Lines whose votes are not in the range.
 int countWrongVotes(const Lines& lines, const std::vector<VoteRange>& counted);
 

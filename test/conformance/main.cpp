@@ -5,6 +5,7 @@
 // cv::linespace::HoughLines beside cv::HoughLines of the installed OpenCV: how many of its lines ours
 // has (doc/algorithm.md, section 8). Prints every case and fails below the floors.
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 
@@ -93,11 +94,15 @@ void compare(const Search& search, const Arguments& arguments, std::vector<Resul
              std::ostream* cases)
 {
     // Which lines are local maxima does not depend on the threshold: one call serves all.
-    const Lines all = opencvLines(search.edges, arguments, leastThreshold(search, arguments));
+    Lines all = opencvLines(search.edges, arguments, leastThreshold(search, arguments));
+    const std::vector<int> thresholds = thresholdsOf(search, all);
+    if (thresholds.empty())
+        return;
+    all = above(*std::min_element(thresholds.begin(), thresholds.end()), all);
     const Lines real = withRealVotes(all, search.edges, arguments);
     if (sumOfVotes(real) < 0.95 * sumOfVotes(all))
         CV_Error(cv::Error::StsError, "the rho of this cv::HoughLines has a bias that is not known");
-    for (int threshold : thresholdsOf(search, all))
+    for (int threshold : thresholds)
     {
         const Lines wanted = above(threshold, all);
         if (wanted.empty())

@@ -69,10 +69,10 @@ Lines opencvLines(const cv::Mat1b& edges, const Arguments& arguments, int thresh
 
 Lines withRealVotes(const Lines& lines, const cv::Mat1b& edges, const Arguments& arguments)
 {
-    const std::vector<VoteRange> counted = countVotes(lines, edges, arguments);
+    const std::vector<int> counted = countVotesOnGrid(lines, edges, arguments);
     Lines real = lines;
     for (std::size_t i = 0; i < real.size(); ++i)
-        real[i][2] = std::min(real[i][2], static_cast<float>(counted[i].most));
+        real[i][2] = std::min(real[i][2], static_cast<float>(counted[i]));
     return real;
 }
 

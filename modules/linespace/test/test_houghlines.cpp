@@ -112,7 +112,7 @@ void checkLines(const Mat1b& edges, const Lines& lines, const Arguments& argumen
         ASSERT_LT((double)lines[i][1], open) << "line " << i;
         ASSERT_TRUE(i == 0 || isOrdered(lines[i - 1], lines[i])) << "line " << i << " " << lines[i];
         for (size_t j = 0; j < i; ++j)
-            ASSERT_FALSE(isSameCell(lines[j], lines[i], arguments, 1 - 1e-4))
+            ASSERT_FALSE(isSameCell(lines[j], lines[i], arguments, 1 + 1e-4))
                 << lines[j] << " and " << lines[i];
     }
 }

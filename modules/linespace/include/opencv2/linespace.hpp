@@ -103,7 +103,7 @@ public:
     @param edges as for detect.
     @param lineSpace B x B CV_32SC1, B = 2 (width + height) of getFrameSize(); symmetric; pairs on one side of
     the frame are 0. Border points are numbered clockwise from the top-left corner. A table of more than
-    2^31 - 1 bytes (a frame of more than 11585 border points) is refused.
+    2^31 - 1 bytes (a frame of more than 23170 border points) is refused.
     */
     CV_WRAP virtual void compute(InputArray edges, OutputArray lineSpace) = 0;
 
