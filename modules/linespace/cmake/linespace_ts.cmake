@@ -36,9 +36,12 @@ add_library(opencv_ts STATIC ${ts_sources})
 target_compile_definitions(opencv_ts PRIVATE __OPENCV_BUILD=1 PUBLIC __OPENCV_TESTS=1)
 target_include_directories(opencv_ts SYSTEM
   PRIVATE "${ts_dir}/src" PUBLIC "${ts_dir}/include" "${linespace_config_dir}")
-# The harness uses private headers of core; the installed headers go first. Sanitizers are for our code.
-target_compile_options(opencv_ts PRIVATE "$<$<BOOL:${LINESPACE_SANITIZE}>:-fno-sanitize=all>"
+# The harness uses private headers of core; the installed headers go first.
+target_compile_options(opencv_ts PRIVATE
   "SHELL:-idirafter \"${OPENCV_SOURCE_DIR}/modules/core/include\"")
+if(LINESPACE_SANITIZE)
+  target_compile_options(opencv_ts PRIVATE -fno-sanitize=all) # they are for our code
+endif()
 target_link_libraries(opencv_ts PUBLIC opencv_core opencv_imgproc opencv_imgcodecs opencv_videoio
                                        opencv_highgui Threads::Threads)
 

@@ -178,15 +178,20 @@ TEST_P(Linespace_Detect, suppression)
 
 TEST_P(Linespace_Detect, large_radius_wraps_around_the_ring)
 {
-    const Mat1b edges = randomEdges(Size(7, 5), 0.5, 4); // 24 border points
-    const Selection selection(edges, method(), 3);
-    const int radii[] = {11, 12, 13, 64};
-    for (int i = 0; i < 4; ++i)
+    for (unsigned seed = 0; seed < 60; ++seed)
     {
-        Ptr<LineSpaceDetector> detector = plain(1);
-        detector->setSuppressionRadius(radii[i]);
-        expectChords(detectLines(*detector, edges), selection.select(1, 0, THIN_RING, radii[i]),
-                     selection.frame, format("radius %d", radii[i]));
+        const Mat1b edges = randomEdges(Size(7, 5), 0.3, seed); // 24 border points
+        const Selection selection(edges, method(), 3);
+        const int radii[] = {7, 8, 9, 10, 11, 12, 13, 64};
+        for (int i = 0; i < 8; ++i)
+        {
+            Ptr<LineSpaceDetector> detector = plain(1);
+            detector->setSuppressionRadius(radii[i]);
+            expectChords(detectLines(*detector, edges), selection.select(1, 0, THIN_RING, radii[i]),
+                         selection.frame, format("radius %d, seed %d", radii[i], (int)seed));
+            if (HasFatalFailure())
+                return;
+        }
     }
 }
 
