@@ -39,6 +39,13 @@ bool read(const std::string& folder, const std::string& name, Grid& grid, Pictur
     }
 }
 
+bool readSample(const Folders& folders, const std::string& name, Grid& grid, Picture& picture)
+{
+    const bool isThere = read(folders.samples, name, grid, picture);
+    grid.isComplete = grid.isComplete && isThere;
+    return isThere;
+}
+
 std::string titleOf(const Picture& picture)
 {
     const std::size_t folder = picture.name.rfind('/') + 1;
@@ -86,16 +93,16 @@ void addOpenCVsOwn(const Folders& folders, Grid& grid)
     for (double rho : {1.0, 10.0})
         for (double theta : {0.05, 0.1})
             own.push_back(resolution(rho, theta));
-    Picture picture;
-    const auto add = [&](const std::string& folder, const char* name) {
-        if (!read(folder, name, grid, picture))
-            return;
+    const auto add = [&](const Picture& picture) {
         const cv::Mat1b edges = support::cannyEdges(picture.grey, CannyThresholds{100, 150});
         grid.searches.push_back({titleOf(picture), "OpenCV's own test", edges, own, {80, 150}, {}});
     };
-    add(folders.samples, "pic5.png");
-    add(folders.samples, "pic1.png"); // of its test of HoughLinesP
-    add(folders.extra, "stitching/a1.png");
+    Picture picture;
+    for (const char* name : {"pic5.png", "pic1.png"}) // the latter of its test of HoughLinesP
+        if (readSample(folders, name, grid, picture))
+            add(picture);
+    if (read(folders.extra, "stitching/a1.png", grid, picture))
+        add(picture);
 }
 
 void addWeighted(const Picture& picture, const std::vector<int>& lineCounts, Grid& grid)
@@ -140,7 +147,7 @@ Grid makeGrid(const Folders& folders, bool all)
                              "pic2.png", "pic3.png", "pic4.png", "pic5.png", "pic6.png"})
     {
         Picture picture;
-        if (!read(folders.samples, name, grid, picture))
+        if (!readSample(folders, name, grid, picture))
             continue;
         addPicture(picture, lineCounts, all, grid);
         const bool isDrawing = picture.name.compare(0, 3, "pic") == 0;

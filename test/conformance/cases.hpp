@@ -36,6 +36,7 @@ struct Grid
 {
     std::vector<Search> searches;
     std::vector<std::string> skipped; //!< one line each: what, and why
+    bool isComplete = true;           //!< whether all of OpenCV's sample images are there
 };
 
 //! `all`: more of everything, for hours of patience.

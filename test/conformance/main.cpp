@@ -30,11 +30,12 @@ struct Options
     Folders folders;
     bool all = false, markdown = false;
     std::string image;
-    double leastMean = 0.99, leastWorst = 0.85;
-    double leastRealMean = 0.995, leastRealWorst = 0.97;
+    // Somewhat below what doc/conformance.md reports.
+    double leastMean = 0.995, leastWorst = 0.85;
+    double leastRealMean = 0.998, leastRealWorst = 0.89;
 };
 
-int parse(int argc, char** argv, Options& options)
+void parse(int argc, char** argv, Options& options)
 {
     CLI::App app("Compares cv::linespace::HoughLines with cv::HoughLines", "linespace_conformance");
     app.add_option("--samples-data", options.folders.samples, "Folder samples/data of OpenCV's sources")
@@ -64,7 +65,13 @@ int parse(int argc, char** argv, Options& options)
     }
     if (!evaluation.empty())
         options.folders.extra = evaluation + "/opencv_extra";
-    return 0;
+}
+
+//! Whether what is missing is a failure, not a reason to skip.
+bool isDataRequired()
+{
+    const char* const required = std::getenv("LINESPACE_REQUIRE_BACKENDS");
+    return required && std::string(required) == "1";
 }
 
 Lines above(int threshold, const Lines& lines)
@@ -137,11 +144,15 @@ try
         if (search.image.compare(0, options.image.size(), options.image) == 0)
             for (const Arguments& arguments : search.arguments)
                 compare(search, arguments, results, options.markdown ? nullptr : &std::cout);
+    if (!grid.isComplete && isDataRequired())
+    {
+        notes << "FAILED: images are missing, and LINESPACE_REQUIRE_BACKENDS is set" << std::endl;
+        return EXIT_FAILURE;
+    }
     if (results.empty())
     {
-        const char* const required = std::getenv("LINESPACE_REQUIRE_BACKENDS");
-        notes << "no image to compare on" << std::endl;
-        return required && std::string(required) == "1" ? EXIT_FAILURE : exitSkipped;
+        notes << "no image to compare on: give --samples-data or LINESPACE_SAMPLES_DATA" << std::endl;
+        return exitSkipped;
     }
 
     const Summary summary = summaryOf(results);

@@ -96,7 +96,6 @@ public:
     {
         const Cell frame = plan.frame();
         const size_t pixels = (size_t)frame.width * frame.height;
-        // The last step of a raster may move beyond the last row before it stops.
         transposed_.allocate(pixels);
         Mat transposed(frame.width, frame.height, CV_8UC1, transposed_.data());
         transpose(edges.votes, transposed);

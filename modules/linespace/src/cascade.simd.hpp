@@ -178,16 +178,17 @@ void exactRowOf(const Cell& frame, int s, const uchar* map, const uchar* transpo
         const Raster raster(frame, chord);
         // With x and y exchanged where y is the major axis, all chords run along the rows.
         const ptrdiff_t stride = raster.xMajor ? frame.width : frame.height;
-        const uchar* pixel = (raster.xMajor ? map : transposed) + raster.minor * stride + raster.first;
+        const uchar* pixels = raster.xMajor ? map : transposed;
+        ptrdiff_t at = raster.minor * stride + raster.first; // beyond the image after the last step
         const int step = raster.step, modulus = raster.modulus;
         int sum = 0, remainder = raster.remainder;
         for (int i = 0; i < raster.count; ++i)
         {
-            sum += *pixel++;
+            sum += pixels[at++];
             remainder += step;
             const int over = remainder >= modulus, under = remainder < 0;
             remainder += (under - over) * modulus;
-            pixel += (over - under) * stride;
+            at += (over - under) * stride;
         }
         *votes++ = (Votes)sum;
     }

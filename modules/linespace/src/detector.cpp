@@ -25,7 +25,7 @@ namespace {
 template <class Value> void checkRange(Value value, Value low, Value high, const char* name, const char* allowed)
 {
     if (!(value >= low && value <= high))
-        CV_Error_(Error::StsOutOfRange, ("%s = %g: must be %s", name, (double)value, allowed));
+        CV_Error_(Error::StsOutOfRange, ("%s = %.15g: must be %s", name, (double)value, allowed));
 }
 
 void checkImage(const Mat& image, const char* name)
@@ -72,7 +72,7 @@ struct Parameters
         checkRange(minTheta, -1e6, 1e6, "minTheta", "a finite angle in radians, at most 1e6 in size");
         checkRange(maxTheta, -1e6, 1e6, "maxTheta", "a finite angle in radians, at most 1e6 in size");
         if (minTheta > maxTheta)
-            CV_Error_(Error::StsOutOfRange, ("minTheta = %g is larger than maxTheta = %g: must not be", minTheta, maxTheta));
+            CV_Error_(Error::StsOutOfRange, ("minTheta = %.15g is larger than maxTheta = %.15g: must not be", minTheta, maxTheta));
         checkRange(falseAlarms, std::numeric_limits<double>::min(), most, "falseAlarms", "more than 0, finite");
         checkRange(memoryLimit, 1, INT_MAX, "memoryLimit", "1 MiB or more");
     }
@@ -246,8 +246,11 @@ private:
     template <class Value> static void readInto(const FileNode& fn, const char* name, Value& value)
     {
         const FileNode node = fn[name];
-        if (!node.empty())
-            node >> value;
+        if (node.empty())
+            return;
+        if (!node.isInt() && !node.isReal())
+            CV_Error_(Error::StsParseError, ("%s is not a number: must be one", name));
+        node >> value;
     }
 
     static void checkOutput(OutputArray lines)
@@ -282,9 +285,10 @@ private:
         return exact ? Plan::exact(size) : Plan::cascaded(size, parameters_.cellSize);
     }
 
-    void checkMemory(const Plan& plan, int level) const
+    void checkMemory(const Plan& plan, int level, double outputBytes) const
     {
-        const double mebibytes = workingMemory(plan, parameters_.edgeWeights, level) / (1 << 20);
+        const double bytes = workingMemory(plan, parameters_.edgeWeights, level) + outputBytes;
+        const double mebibytes = bytes / (1 << 20);
         if (mebibytes > parameters_.memoryLimit)
             CV_Error_(Error::StsNoMem, ("edges of %d x %d pixels need %.0f MiB of memory: must be at most "
                                         "memoryLimit = %d MiB",
@@ -309,9 +313,8 @@ private:
         if (level < 0)
             level = plan->levelCount() - 1;
         checkRange(level, 0, plan->levelCount() - 1, "level", "less than the number of levels of this image size");
-        if (writesTable)
-            checkTable(plan->level(level));
-        checkMemory(*plan, level);
+        const double outputBytes = writesTable ? tableBytes(plan->level(level)) : 0;
+        checkMemory(*plan, level, outputBytes);
         const Ptr<Executor> executor = executorFor(parameters_.backend, executor_);
 
         edges.weighted = parameters_.edgeWeights;
@@ -344,7 +347,8 @@ private:
     //! 1 where the image is not 0.
     static void threshold(const Mat& image, Mat& votes) { cv::min(image, Scalar(1), votes); }
 
-    static void checkTable(const Level& level)
+    //! Bytes of a level's output; throws if an array cannot be so large.
+    static double tableBytes(const Level& level)
     {
         const double rows = (double)level.grid.height * level.cell.borderCount();
         const double columns = (double)level.grid.width * level.cell.borderCount();
@@ -353,6 +357,7 @@ private:
             CV_Error_(Error::StsNoMem, ("the table of %.0f x %.0f votes needs %.0f MiB: must be at most 2047 MiB; "
                                         "use detect, or a smaller edge map",
                                         rows, columns, bytes / (1 << 20)));
+        return bytes;
     }
 
     void writeLevel(InputArray edges, int level, OutputArray out)
@@ -383,21 +388,16 @@ private:
         requirement.threshold = parameters_.threshold;
         if (parameters_.threshold > 0)
             return requirement;
-        const double pixels = (double)edges.votes.total(), edgePixels = countNonZero(edges.votes);
+        // Where the mask is 0 nothing can vote; a chord's length still counts it, which is on the safe side.
+        const double pixels = mask_.empty() ? (double)edges.votes.total() : countNonZero(mask_);
+        const double density = pixels > 0 ? countNonZero(edges.votes) / pixels : 0;
         const int longest = std::max(edges.votes.cols, edges.votes.rows);
-        requirement.byLength = significantVotes(longest, edgePixels / pixels, (double)plan.frame().chordCount(),
+        requirement.byLength = significantVotes(longest, density, (double)plan.frame().chordCount(),
                                                 parameters_.falseAlarms);
-        if (edges.weighted && edgePixels > 0)
-        {
-            // Weighted votes count as so many pixels of mean weight.
-            const double mean = sum(edges.votes)[0] / edgePixels;
-            for (size_t i = 0; i < requirement.byLength.size(); ++i)
-                requirement.byLength[i] = cvCeil(requirement.byLength[i] * mean);
-        }
         // Nothing shorter than the first length that can be significant needs to be looked at.
         requirement.threshold = INT_MAX;
         for (int length = longest; length >= 0; --length)
-            if (requirement.byLength[length] <= length * (edges.weighted ? 255. : 1.))
+            if (requirement.byLength[length] <= length)
                 requirement.threshold = requirement.byLength[length] - 1;
         return requirement;
     }
@@ -418,24 +418,40 @@ private:
                            parameters_.suppressionRadius);
         removeIf(candidates, [&](const Candidate& candidate) {
             Line line = lineOf(frame, candidate.chord());
-            return !requirement.isMet(plan, candidate, ratio) || !angles.represent(line);
+            return !requirement.canBeMet(plan, candidate, ratio) || !angles.represent(line);
         });
         if (!exact)
         {
             if (parameters_.maxLines > 0)
                 keepStrongest(candidates, (size_t)std::max<int64>(parameters_.poolSize, 16 * (int64)parameters_.maxLines));
             rescore(edges, plan, candidates);
-            removeIf(candidates, [&](const Candidate& candidate) {
-                return !requirement.isMet(plan, candidate, 1);
-            });
         }
+        removeIf(candidates,
+                 [&](const Candidate& candidate) { return !requirement.isMet(edges, plan, candidate); });
         const size_t most = parameters_.maxLines > 0 ? (size_t)parameters_.maxLines : candidates.size();
         const double distance = parameters_.suppressionDistance;
-        const std::vector<Candidate> chosen =
+        const Refinement refine = [&](const Line& line) { return refined(edges, angles, line); };
+        const std::vector<Selected> chosen =
             parameters_.selection == SELECT_EXPLAIN
-                ? selectExplaining(edges, plan, requirement, candidates, distance, most)
-                : selectPeaks(plan, candidates, distance, most);
-        report(edges, plan, angles, chosen, lines);
+                ? selectExplaining(edges, plan, requirement, candidates, refine, distance, most)
+                : selectPeaks(plan, candidates, refine, distance, most);
+        for (size_t i = 0; i < chosen.size(); ++i)
+        {
+            Line line = chosen[i].line;
+            angles.represent(line);
+            const Vec2f polar = angles.round(line);
+            lines.push_back(Vec3f(polar[0], polar[1], (float)chosen[i].candidate.votes));
+        }
+    }
+
+    //! The line to report for a chord's line: one that leaves the interval of angles stays as it was.
+    Line refined(const EdgeMap& edges, const AngleInterval& angles, const Line& line) const
+    {
+        if (parameters_.refine == REFINE_NONE)
+            return line;
+        const Line result = refineLine(edges, line);
+        Line inInterval = result;
+        return angles.represent(inInterval) ? result : line;
     }
 
     template <class Predicate> static void removeIf(std::vector<Candidate>& candidates, Predicate predicate)
@@ -452,30 +468,6 @@ private:
         executor_->rescore(edges, plan, chords, votes);
         for (size_t i = 0; i < votes.size(); ++i)
             candidates[i].votes = votes[i];
-    }
-
-    //! Refines the chosen lines and brings them into the form and the interval that were asked for.
-    void report(const EdgeMap& edges, const Plan& plan, const AngleInterval& angles,
-                const std::vector<Candidate>& chosen, std::vector<Vec3f>& lines) const
-    {
-        lines.resize(chosen.size());
-        parallel_for_(Range(0, (int)chosen.size()), [&](const Range& range) {
-            for (int i = range.start; i < range.end; ++i)
-            {
-                Line line = lineOf(plan.frame(), chosen[i].chord());
-                Line refined = line;
-                if (parameters_.refine == REFINE_LEAST_SQUARES)
-                    refined = refineLine(edges, line);
-                // A refined line that leaves the interval stays the chord that was in it.
-                if (!angles.represent(refined))
-                {
-                    angles.represent(line);
-                    refined = line;
-                }
-                const Vec2f polar = angles.round(refined);
-                lines[i] = Vec3f(polar[0], polar[1], (float)chosen[i].votes);
-            }
-        });
     }
 
     Parameters parameters_;

@@ -22,7 +22,7 @@ inline float position(float x, float y, float cosine, float sine)
 
 /** Nearest integer, ties to even, for |value| < 2^22: adding 1.5 * 2^23 leaves it in the low bits. Unlike a
 call, it can be vectorised. */
-inline int nearest(float value)
+inline int nearestSmall(float value)
 {
     const float shifted = value + 12582912.f;
     int bits;
@@ -30,20 +30,26 @@ inline int nearest(float value)
     return bits - 0x4B400000;
 }
 
-const int MOST_DISTANCE = (1 << 22) - 2;
+const int MOST_SMALL = (1 << 22) - 2;
+const double MOST_DISTANCE = 1 << 30; // cv::HoughLines overflows there
 const double MOST_LINES = 4294967296.; // cv::HoughLines would need 16 GiB for as many
 
 } // namespace
+
+int HoughGrid::nearest(float value) const
+{
+    return mostDistance <= MOST_SMALL ? nearestSmall(value) : cvRound(value);
+}
 
 HoughGrid::HoughGrid(Size imageSize, double rhoStep, double thetaStep, double minTheta, double maxTheta)
     : rho(rhoStep), angles(0), mostDistance(0), wraps(false), image(imageSize)
 {
     if (!(rho > 0))
-        CV_Error_(Error::StsOutOfRange, ("rho = %g: must be more than 0 pixels", rho));
+        CV_Error_(Error::StsOutOfRange, ("rho = %.15g: must be more than 0 pixels", rho));
     if (!(thetaStep > 0))
-        CV_Error_(Error::StsOutOfRange, ("theta = %g: must be more than 0 radians", thetaStep));
+        CV_Error_(Error::StsOutOfRange, ("theta = %.15g: must be more than 0 radians", thetaStep));
     if (!(std::abs(minTheta) < HUGE_VAL) || !(std::abs(maxTheta) < HUGE_VAL) || minTheta > maxTheta)
-        CV_Error_(Error::StsOutOfRange, ("min_theta = %g, max_theta = %g: must be finite, and min_theta not larger "
+        CV_Error_(Error::StsOutOfRange, ("min_theta = %.15g, max_theta = %.15g: must be finite, and min_theta not larger "
                                          "than max_theta",
                                          minTheta, maxTheta));
     interval.min = minTheta;
@@ -53,8 +59,8 @@ HoughGrid::HoughGrid(Size imageSize, double rhoStep, double thetaStep, double mi
     const double count = std::min(turn, std::floor((maxTheta - minTheta) / thetaStep + 1e-6) + 1);
     const double reach = std::ceil(std::sqrt((double)image.width * image.width + (double)image.height * image.height) / rho) + 1;
     if (reach > MOST_DISTANCE)
-        CV_Error_(Error::StsNoMem, ("rho = %g: this image has %.0f distances of this size, must be at most %d", rho, reach,
-                                    MOST_DISTANCE));
+        CV_Error_(Error::StsNoMem, ("rho = %g: this image has %.0f distances of this size, must be at most %.0f", rho,
+                                    reach, MOST_DISTANCE));
     if (count * (2 * reach + 3) > MOST_LINES)
         CV_Error_(Error::StsNoMem, ("rho = %g, theta = %g: the image has %.0f lines at this resolution, must be at most 2^32",
                                     rho, thetaStep, count * (2 * reach + 3)));
@@ -114,8 +120,8 @@ void BandCounter::count(int angle, const std::vector<int>& distances, std::vecto
     votes.resize(distances.size());
     if (distances.empty())
         return;
-    // A step along a line costs about three times as much as a pixel of the histogram, and one is needed per
-    // pixel of the width of the band and one more on each side of it.
+    // A line costs a test of each pixel across its band and one on either side of it, for each of its steps; such
+    // a test takes about as long as a pixel of the histogram.
     const double steps = (double)distances.size() * std::max(grid_.image.width, grid_.image.height) * (grid_.rho + 2);
     if (steps < pixels_.count())
     {
@@ -140,8 +146,12 @@ void BandCounter::countAll(int angle)
     {
         const int run = (int)std::min<size_t>(RUN, n - begin);
         const float *x = pixels_.x.data() + begin, *y = pixels_.y.data() + begin;
-        for (int k = 0; k < run; ++k)
-            indices[k] = nearest(position(x[k], y[k], c, s));
+        if (grid_.mostDistance <= MOST_SMALL)
+            for (int k = 0; k < run; ++k)
+                indices[k] = nearestSmall(position(x[k], y[k], c, s));
+        else
+            for (int k = 0; k < run; ++k)
+                indices[k] = cvRound(position(x[k], y[k], c, s));
         if (pixels_.weights.empty())
             for (int k = 0; k < run; ++k)
                 ++origin[indices[k]];
@@ -170,7 +180,7 @@ int BandCounter::countLine(int angle, int distance) const
         const int first = std::max(0, cvCeil(centre - half)), last = std::min(limit - 1, cvFloor(centre + half));
         const uchar* pixel = map.data + i * majorStep + first * minorStep;
         for (int k = first; k <= last; ++k, pixel += minorStep)
-            if (*pixel && nearest(xMajor ? position((float)i, (float)k, c, s) : position((float)k, (float)i, c, s)) == distance)
+            if (*pixel && grid_.nearest(xMajor ? position((float)i, (float)k, c, s) : position((float)k, (float)i, c, s)) == distance)
                 sum += *pixel;
     }
     return sum;

@@ -34,6 +34,9 @@ struct HoughGrid
     //! (rho, theta) of a line as reported.
     Vec2f line(int angle, int distance) const;
 
+    //! Nearest integer, ties to even, of a pixel's position in units of rho.
+    int nearest(float value) const;
+
     //! Smallest and largest i that a pixel of the image can have at an angle.
     void distanceRange(int angle, int& first, int& last) const;
 };

@@ -68,12 +68,15 @@ bool AngleInterval::represent(Line& line) const
     const double halfTurns = std::ceil((min - line.theta) / CV_PI);
     double theta = line.theta + halfTurns * CV_PI;
     bool odd = std::fmod(halfTurns, 2.) != 0;
-    if (theta < min) // by rounding
+    // Rounding may lead a little beyond either end of the half turn from min.
+    if (theta < min)
+        theta = min;
+    if (theta >= min + CV_PI)
     {
-        theta += CV_PI;
+        theta = min;
         odd = !odd;
     }
-    if (isFull() ? theta >= min + CV_PI : theta > max)
+    if (!isFull() && theta > max)
         return false;
     line.theta = theta;
     if (odd)
@@ -112,8 +115,7 @@ void LineIndex::insert(const Line& line)
     // Angles are kept in [0, pi); the distance is that from the centre of the image.
     Line upright = line;
     const AngleInterval half = {0, CV_PI};
-    if (!half.represent(upright))
-        upright.theta = 0; // pi by rounding: the bins below wrap around
+    half.represent(upright);
     Entry entry = {std::cos(upright.theta), std::sin(upright.theta), upright.rho};
     const int angle = std::min((int)(upright.theta * (ANGLE_BINS / CV_PI)), ANGLE_BINS - 1);
     const double distance = entry.rho - (entry.cosine * centre_.x + entry.sine * centre_.y);

@@ -54,15 +54,25 @@ private:
 //! Runs work() and turns a failed allocation into a cv::Exception that names the image `name` and its size.
 template <class Work> void withMemoryFor(const char* name, Size size, Work work)
 {
+    bool failed = false;
     try
     {
         work();
     }
     catch (const std::bad_alloc&)
     {
+        failed = true;
+    }
+    catch (const Exception& error)
+    {
+        // What cv::Mat throws; other exceptions of that code are messages of our own.
+        if (error.code != Error::StsNoMem || error.func != "OutOfMemoryError")
+            throw;
+        failed = true;
+    }
+    if (failed)
         CV_Error_(Error::StsNoMem, ("%s has %d x %d pixels: there is not enough memory for it, it must be smaller", name,
                                     size.width, size.height));
-    }
 }
 
 } // namespace linespace

@@ -44,41 +44,68 @@ private:
     std::vector<Candidate>& heap_;
 };
 
-//! Adds the line to those taken unless it duplicates one of them or misses the image.
-bool takeUnlessNear(LineIndex& taken, const Line& line, Size image)
+//! Lines that were taken, and whether another one may be.
+class TakenLines
 {
-    Ends ends;
-    if (!clipLine(std::cos(line.theta), std::sin(line.theta), line.rho, image, ends) || taken.hasNear(line, ends))
-        return false;
-    taken.insert(line);
-    return true;
-}
+public:
+    TakenLines(Size image, const Refinement& refine, double distance)
+        : image_(image), refine_(refine), taken_(image, distance)
+    {
+    }
+
+    //! Takes the candidate's line, refined, unless it is near one taken before or misses the image.
+    bool take(const Candidate& candidate, const Line& chordLine)
+    {
+        if (isNear(chordLine)) // spares the refinement of most
+            return false;
+        const Selected selected = {candidate, refine_(chordLine)};
+        if (isNear(selected.line))
+            return false;
+        taken_.insert(selected.line);
+        chosen_.push_back(selected);
+        return true;
+    }
+
+    std::vector<Selected>& chosen() { return chosen_; }
+
+private:
+    bool isNear(const Line& line) const
+    {
+        Ends ends;
+        return !clipLine(std::cos(line.theta), std::sin(line.theta), line.rho, image_, ends) ||
+               taken_.hasNear(line, ends);
+    }
+
+    Size image_;
+    const Refinement& refine_;
+    LineIndex taken_;
+    std::vector<Selected> chosen_;
+};
 
 } // namespace
 
-std::vector<Candidate> selectPeaks(const Plan& plan, std::vector<Candidate>& candidates, double distance, size_t most)
+std::vector<Selected> selectPeaks(const Plan& plan, std::vector<Candidate>& candidates, const Refinement& refine,
+                                  double distance, size_t most)
 {
-    std::vector<Candidate> chosen;
+    TakenLines selection(plan.imageSize(), refine, distance);
     CandidateQueue queue(candidates);
-    LineIndex taken(plan.imageSize(), distance);
-    while (!queue.empty() && chosen.size() < most)
+    while (!queue.empty() && selection.chosen().size() < most)
     {
         const Candidate candidate = queue.pop();
-        if (takeUnlessNear(taken, lineOf(plan.frame(), candidate.chord()), plan.imageSize()))
-            chosen.push_back(candidate);
+        selection.take(candidate, lineOf(plan.frame(), candidate.chord()));
     }
-    return chosen;
+    return selection.chosen();
 }
 
-std::vector<Candidate> selectExplaining(const EdgeMap& edges, const Plan& plan, const Requirement& requirement,
-                                        std::vector<Candidate>& candidates, double distance, size_t most)
+std::vector<Selected> selectExplaining(const EdgeMap& edges, const Plan& plan, const Requirement& requirement,
+                                       std::vector<Candidate>& candidates, const Refinement& refine, double distance,
+                                       size_t most)
 {
-    std::vector<Candidate> chosen;
+    TakenLines selection(plan.imageSize(), refine, distance);
     CandidateQueue queue(candidates);
-    LineIndex taken(plan.imageSize(), distance);
     EdgeMap left = edges;
     left.votes = edges.votes.clone();
-    while (!queue.empty() && chosen.size() < most)
+    while (!queue.empty() && selection.chosen().size() < most)
     {
         Candidate candidate = queue.pop();
         // Votes only fall, so a candidate that still has what it was queued with is the strongest of all.
@@ -86,19 +113,17 @@ std::vector<Candidate> selectExplaining(const EdgeMap& edges, const Plan& plan, 
         if (votes < candidate.votes)
         {
             candidate.votes = votes;
-            if (requirement.isMet(plan, candidate, 1))
+            if (requirement.isMet(left, plan, candidate))
                 queue.push(candidate);
             continue;
         }
-        const Line line = lineOf(plan.frame(), candidate.chord());
-        if (!takeUnlessNear(taken, line, plan.imageSize()))
-            continue;
-        removeSupport(left, refineLine(left, line));
         candidate.votes = chordVotes(edges, plan.frame(), candidate.chord());
-        chosen.push_back(candidate);
+        if (selection.take(candidate, lineOf(plan.frame(), candidate.chord())))
+            removeSupport(left, selection.chosen().back().line);
     }
-    std::sort(chosen.begin(), chosen.end(), isStronger);
-    return chosen;
+    std::sort(selection.chosen().begin(), selection.chosen().end(),
+              [](const Selected& a, const Selected& b) { return isStronger(a.candidate, b.candidate); });
+    return selection.chosen();
 }
 
 } // namespace linespace

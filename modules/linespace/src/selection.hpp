@@ -10,6 +10,8 @@
 #include "line_geometry.hpp"
 #include "peaks.hpp"
 
+#include <functional>
+
 namespace cv {
 namespace linespace {
 
@@ -20,25 +22,54 @@ struct Requirement
     int threshold;             //!< votes must be more than this, for any chord
     std::vector<int> byLength; //!< empty, or by the number of pixels of the chord in the image
 
-    //! @param ratio share of the required votes that is enough, 0 to 1.
-    bool isMet(const Plan& plan, const Candidate& candidate, double ratio) const
+    /** For the cascade's votes: whether the chord can meet the requirement.
+    @param ratio share of the required votes that is enough, 0 to 1. Weights are at least 1, so weighted votes are
+    never fewer than the pixels that the statistical rule asks for. */
+    bool canBeMet(const Plan& plan, const Candidate& candidate, double ratio) const
     {
         return candidate.votes > cvFloor(ratio * threshold) &&
-               (byLength.empty() || candidate.votes >= ratio * byLength[plan.visibleLength(candidate.chord())]);
+               (byLength.empty() || candidate.votes >= ratio * pixelsNeeded(plan, candidate));
+    }
+
+    //! For exact votes. The statistical rule counts pixels, whatever their weights.
+    bool isMet(const EdgeMap& edges, const Plan& plan, const Candidate& candidate) const
+    {
+        if (!canBeMet(plan, candidate, 1))
+            return false;
+        return byLength.empty() || !edges.weighted ||
+               chordPixels(edges, plan.frame(), candidate.chord()) >= pixelsNeeded(plan, candidate);
+    }
+
+private:
+    int pixelsNeeded(const Plan& plan, const Candidate& candidate) const
+    {
+        return byLength[plan.visibleLength(candidate.chord())];
     }
 };
 
-/** Takes the candidates in the total order and drops those whose two ends inside the image are both within
-`distance` pixels of a line taken before; at most `most` lines.
+//! A line that was taken: its chord with exact votes, and the line to report, refined or not.
+struct Selected
+{
+    Candidate candidate;
+    Line line;
+};
+
+//! What becomes of the line of a chord before it is reported.
+typedef std::function<Line(const Line&)> Refinement;
+
+/** Takes the candidates in the total order and drops those whose two ends inside the image, before or after the
+refinement, are both within `distance` pixels of a line taken before; at most `most` lines.
 @param candidates exact votes; used up.
 @return in the total order. */
-std::vector<Candidate> selectPeaks(const Plan& plan, std::vector<Candidate>& candidates, double distance, size_t most);
+std::vector<Selected> selectPeaks(const Plan& plan, std::vector<Candidate>& candidates, const Refinement& refine,
+                                  double distance, size_t most);
 
 /** As selectPeaks, but the edge pixels along a line taken do not vote for the lines after it: the next line is the
 one with the most of the pixels that are left, and it must still meet the requirement.
 @return in the total order of their votes among all edge pixels. */
-std::vector<Candidate> selectExplaining(const EdgeMap& edges, const Plan& plan, const Requirement& requirement,
-                                        std::vector<Candidate>& candidates, double distance, size_t most);
+std::vector<Selected> selectExplaining(const EdgeMap& edges, const Plan& plan, const Requirement& requirement,
+                                       std::vector<Candidate>& candidates, const Refinement& refine, double distance,
+                                       size_t most);
 
 } // namespace linespace
 } // namespace cv

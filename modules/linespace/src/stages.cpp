@@ -42,15 +42,32 @@ double workingMemory(const Plan& plan, bool weighted, int level)
     return most[0] + most[1] + 2 * pixels;
 }
 
-int chordVotes(const EdgeMap& edges, const Cell& frame, Chord chord)
+namespace {
+
+//! Calls visit(value) for every pixel of a chord that lies in the image.
+template <class Visit>
+void forEachVote(const Mat& votes, const Cell& frame, Chord chord, Visit visit)
 {
-    const Mat& votes = edges.votes;
-    int sum = 0;
     Raster(frame, chord).forEachPixel([&](int x, int y) {
         if (x < votes.cols && y < votes.rows)
-            sum += votes.ptr<uchar>(y)[x];
+            visit(votes.ptr<uchar>(y)[x]);
     });
+}
+
+} // namespace
+
+int chordVotes(const EdgeMap& edges, const Cell& frame, Chord chord)
+{
+    int sum = 0;
+    forEachVote(edges.votes, frame, chord, [&](uchar value) { sum += value; });
     return sum;
+}
+
+int chordPixels(const EdgeMap& edges, const Cell& frame, Chord chord)
+{
+    int count = 0;
+    forEachVote(edges.votes, frame, chord, [&](uchar value) { count += value != 0; });
+    return count;
 }
 
 } // namespace linespace

@@ -108,6 +108,9 @@ double workingMemory(const Plan& plan, bool weighted, int level);
 //! Votes of a chord of the frame on the edge map; pixels beyond the image are 0.
 int chordVotes(const EdgeMap& edges, const Cell& frame, Chord chord);
 
+//! The number of edge pixels on a chord, whatever their weights.
+int chordPixels(const EdgeMap& edges, const Cell& frame, Chord chord);
+
 } // namespace linespace
 } // namespace cv
 

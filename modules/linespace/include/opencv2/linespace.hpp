@@ -198,8 +198,9 @@ public:
     CV_WRAP virtual void setEdgeWeights(bool edgeWeights) = 0;
     CV_WRAP virtual bool getEdgeWeights() const = 0;
 
-    /** Most memory in MiB that tables and buffers of one call may take, >= 1; a size that needs more is
-    refused with an exception before anything is allocated. Default 8192. */
+    /** Most memory in MiB that the tables of votes of one call may take, with the edge map's copies and the
+    output of compute and computeLevel, >= 1; a size that needs more is refused with an exception before anything is
+    allocated. Lists of candidates come on top: 12 bytes for each chord that survives the suppression. Default 8192. */
     CV_WRAP virtual void setMemoryLimit(int mebibytes) = 0;
     CV_WRAP virtual int getMemoryLimit() const = 0;
 };
