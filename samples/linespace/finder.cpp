@@ -116,12 +116,14 @@ Picture LineFinder::prepare(const cv::Mat& frame) const
     }
     if (!mask.empty())
         picture.edges &= mask;
+    picture.mask = mask;
     return picture;
 }
 
 Found LineFinder::find(const Picture& picture)
 {
     Found found;
+    detector_->setMask(picture.mask); // the statistical rule asks for the density inside of it
     cv::TickMeter time;
     time.start();
     detector_->detect(picture.edges, found.lines);
@@ -137,6 +139,7 @@ Found LineFinder::find(const Picture& picture)
 cv::Mat LineFinder::lineSpace(const Picture& picture)
 {
     cv::Mat table;
+    detector_->setMask(picture.mask);
     detector_->compute(picture.edges, table);
     return table;
 }

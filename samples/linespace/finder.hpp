@@ -20,7 +20,8 @@ namespace program {
 struct Picture
 {
     cv::Mat colors; //!< CV_8UC3
-    cv::Mat edges;  //!< CV_8UC1; pixels outside the mask are already 0
+    cv::Mat edges;  //!< CV_8UC1; pixels outside the mask are already 0, for cv::HoughLines
+    cv::Mat mask;   //!< CV_8UC1 of that size, or empty
 };
 
 //! What was found in one picture.

@@ -174,8 +174,8 @@ TEST_P(Linespace_HoughLines, drawn_lines_are_found)
     }
 }
 
-// All lines of cv::HoughLines' grid by the definition, (i rho, j theta): each one above the threshold
-// is reported or within a cell of a reported one that has at least as many votes.
+// All lines of cv::HoughLines' grid by the definition, (i rho, j theta): each one above the
+// threshold is reported or within a cell of a reported one that has at least as many votes.
 TEST_P(Linespace_HoughLines, every_line_of_the_grid_is_represented)
 {
     const double rho = get<0>(GetParam()), theta = get<1>(GetParam());
