@@ -58,7 +58,8 @@ long riseOf(const cv::Mat1b& edges)
 
 void writeMemory(std::ostream& out, const Settings& settings)
 {
-    out << "## Memory\n\nRise of the peak of resident memory by the first `detect` of a process, cascaded, CPU path.\n\n"
+    out << "## Memory\n\nRise of the peak of resident memory by the first `detect` of a process, "
+           "cascaded, CPU path.\n\n"
            "| image | size | MiB | bytes per pixel |\n| --- | --- | ---: | ---: |\n";
     const cv::Mat1b photograph = support::readPhotograph(settings.data, "building.jpg");
     cv::setNumThreads(1); // a child of fork has no other threads
@@ -66,8 +67,8 @@ void writeMemory(std::ostream& out, const Settings& settings)
     {
         const cv::Mat1b edges = support::cannyEdges(support::scaled(photograph, size));
         const double bytes = 1024. * riseOf(edges);
-        out << "| building.jpg | " << size.width << " x " << size.height << " | " << std::fixed << std::setprecision(1)
-            << bytes / (1 << 20) << " | " << bytes / size.area() << " |\n";
+        out << "| building.jpg | " << size.width << " x " << size.height << " | " << std::fixed
+            << std::setprecision(1) << bytes / (1 << 20) << " | " << bytes / size.area() << " |\n";
     }
     out << "\n";
 }

@@ -25,6 +25,9 @@ void writeTimes(std::ostream& out, const Settings& settings);
 //! Peak memory of detect() at 1920 x 1080, of a process of its own.
 void writeMemory(std::ostream& out, const Settings& settings);
 
+//! What must hold between the times of ours and of others, one row each; returns whether all of it does.
+bool writeRequirements(std::ostream& out, const Settings& settings);
+
 //! Cascaded against exact votes for several cell sizes.
 void writeVoteRatio(std::ostream& out, const Settings& settings);
 

@@ -39,15 +39,19 @@ void writeVoteRatio(std::ostream& out, const Settings& settings)
 {
     const int n = 256;
     out << "## Cascaded against exact votes\n\n"
-        << n << " x " << n << " pixels, where the frame is the image for all cell sizes k. Photographs: Canny 50/150, chords with "
+        << n << " x " << n
+        << " pixels, where the frame is the image for all cell sizes k. Photographs: Canny 50/150, "
+           "chords with "
            "at least n/4 exact votes. Random: 20 % edge pixels, chords with at least n/5.\n\n"
-           "| image | k | chords | mean | 5 % | median | 95 % |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: |\n";
+           "| image | k | chords | mean | 5 % | median | 95 % |\n| --- | ---: | ---: | ---: | ---: "
+           "| ---: | ---: |\n";
     for (const char* name : {"building.jpg", "home.jpg", "sudoku.png", "random"})
     {
         const bool random = std::string(name) == "random";
         const cv::Mat1b edges =
             random ? support::randomEdges(cv::Size(n, n), 0.2, 1)
-                   : support::cannyEdges(support::scaled(support::readPhotograph(settings.data, name), cv::Size(n, n)));
+                   : support::cannyEdges(support::scaled(
+                         support::readPhotograph(settings.data, name), cv::Size(n, n)));
         for (const int k : {4, 8, 16, 32})
         {
             const std::vector<double> all = ratios(edges, k, random ? n / 5 : n / 4);
@@ -56,9 +60,13 @@ void writeVoteRatio(std::ostream& out, const Settings& settings)
             double sum = 0;
             for (const double value : all)
                 sum += value;
-            const auto quantile = [&](double share) { return all[(std::size_t)(share * (all.size() - 1))]; };
-            out << "| " << name << " | " << k << " | " << all.size() << std::fixed << std::setprecision(3) << " | "
-                << sum / all.size() << " | " << quantile(0.05) << " | " << quantile(0.5) << " | " << quantile(0.95) << " |\n";
+            const auto quantile = [&](double share)
+            {
+                return all[(std::size_t)(share * (all.size() - 1))];
+            };
+            out << "| " << name << " | " << k << " | " << all.size() << std::fixed
+                << std::setprecision(3) << " | " << sum / all.size() << " | " << quantile(0.05)
+                << " | " << quantile(0.5) << " | " << quantile(0.95) << " |\n";
         }
     }
     out << "\n";

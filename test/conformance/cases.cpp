@@ -93,7 +93,8 @@ void addOpenCVsOwn(const Folders& folders, Grid& grid)
     for (double rho : {1.0, 10.0})
         for (double theta : {0.05, 0.1})
             own.push_back(resolution(rho, theta));
-    const auto add = [&](const Picture& picture) {
+    const auto add = [&](const Picture& picture)
+    {
         const cv::Mat1b edges = support::cannyEdges(picture.grey, CannyThresholds{100, 150});
         grid.searches.push_back({titleOf(picture), "OpenCV's own test", edges, own, {80, 150}, {}});
     };
@@ -139,10 +140,11 @@ Grid makeGrid(const Folders& folders, bool all)
     Grid grid;
     addOpenCVsOwn(folders, grid);
     if (!opencvHasEdgeValues())
-        grid.skipped.push_back("edge values as weights: cv::HoughLines has no use_edgeval before 4.11");
+        grid.skipped.push_back(
+            "edge values as weights: cv::HoughLines has no use_edgeval before 4.11");
 
-    const std::vector<int> lineCounts =
-        all ? std::vector<int>{5, 30, 100, 300, 1000, 3000, 10000} : std::vector<int>{10, 100, 2000};
+    const std::vector<int> lineCounts = all ? std::vector<int>{5, 30, 100, 300, 1000, 3000, 10000}
+                                            : std::vector<int>{10, 100, 2000};
     for (const char* name : {"building.jpg", "board.jpg", "home.jpg", "sudoku.png", "pic1.png",
                              "pic2.png", "pic3.png", "pic4.png", "pic5.png", "pic6.png"})
     {
@@ -155,7 +157,8 @@ Grid makeGrid(const Folders& folders, bool all)
             continue;
         const cv::Size square(512, 512);
         if (picture.grey.size() != square)
-            addPicture({picture.name, support::scaled(picture.grey, square)}, lineCounts, all, grid);
+            addPicture({picture.name, support::scaled(picture.grey, square)}, lineCounts, all,
+                       grid);
     }
     return grid;
 }

@@ -50,12 +50,15 @@ VoteRange votesOf(const Pixels& pixels, double rho, double theta, double inside,
     return votes;
 }
 
-template <class Body> void forEachInParallel(std::size_t count, Body body)
+template<class Body>
+void forEachInParallel(std::size_t count, Body body)
 {
-    cv::parallel_for_(cv::Range(0, static_cast<int>(count)), [&](const cv::Range& range) {
-        for (int i = range.start; i < range.end; ++i)
-            body(i);
-    });
+    cv::parallel_for_(cv::Range(0, static_cast<int>(count)),
+                      [&](const cv::Range& range)
+                      {
+                          for (int i = range.start; i < range.end; ++i)
+                              body(i);
+                      });
 }
 
 } // namespace
@@ -92,9 +95,8 @@ std::vector<VoteRange> countVotes(const Lines& lines, const cv::Mat1b& edges,
     const double boundary = 1.2e-7 * largestAngle * (edges.cols + edges.rows);
     const double inside = 0.5 * arguments.rho - boundary, outside = 0.5 * arguments.rho + boundary;
     std::vector<VoteRange> votes(lines.size());
-    forEachInParallel(lines.size(), [&](int i) {
-        votes[i] = votesOf(pixels, lines[i][0], lines[i][1], inside, outside);
-    });
+    forEachInParallel(lines.size(), [&](int i)
+                      { votes[i] = votesOf(pixels, lines[i][0], lines[i][1], inside, outside); });
     return votes;
 }
 
@@ -105,12 +107,16 @@ std::vector<int> countVotesOnGrid(const Lines& lines, const cv::Mat1b& edges,
     // Far more than double precision loses, far less than any pixel's distance from the boundary.
     const double outside = 0.5 * arguments.rho + 1e-9;
     std::vector<int> votes(lines.size());
-    forEachInParallel(lines.size(), [&](int i) {
-        const double rho = std::round(lines[i][0] / arguments.rho) * arguments.rho;
-        const double step = std::round((lines[i][1] - arguments.minTheta) / arguments.theta);
-        const double theta = arguments.minTheta + step * arguments.theta;
-        votes[i] = votesOf(pixels, rho, theta, outside, outside).most;
-    });
+    forEachInParallel(lines.size(),
+                      [&](int i)
+                      {
+                          const double rho =
+                              std::round(lines[i][0] / arguments.rho) * arguments.rho;
+                          const double step =
+                              std::round((lines[i][1] - arguments.minTheta) / arguments.theta);
+                          const double theta = arguments.minTheta + step * arguments.theta;
+                          votes[i] = votesOf(pixels, rho, theta, outside, outside).most;
+                      });
     return votes;
 }
 

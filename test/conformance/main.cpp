@@ -38,7 +38,8 @@ struct Options
 void parse(int argc, char** argv, Options& options)
 {
     CLI::App app("Compares cv::linespace::HoughLines with cv::HoughLines", "linespace_conformance");
-    app.add_option("--samples-data", options.folders.samples, "Folder samples/data of OpenCV's sources")
+    app.add_option("--samples-data", options.folders.samples,
+                   "Folder samples/data of OpenCV's sources")
         ->envname("LINESPACE_SAMPLES_DATA");
     std::string evaluation;
     app.add_option("--eval-data", evaluation, "Folder that has opencv_extra/stitching/a1.png")
@@ -108,7 +109,8 @@ void compare(const Search& search, const Arguments& arguments, std::vector<Resul
     all = above(*std::min_element(thresholds.begin(), thresholds.end()), all);
     const Lines real = withRealVotes(all, search.edges, arguments);
     if (sumOfVotes(real) < 0.95 * sumOfVotes(all))
-        CV_Error(cv::Error::StsError, "the rho of this cv::HoughLines has a bias that is not known");
+        CV_Error(cv::Error::StsError,
+                 "the rho of this cv::HoughLines has a bias that is not known");
     for (int threshold : thresholds)
     {
         const Lines wanted = above(threshold, all);
@@ -117,11 +119,11 @@ void compare(const Search& search, const Arguments& arguments, std::vector<Resul
         Lines lines;
         cv::linespace::HoughLines(search.edges, lines, arguments.rho, arguments.theta, threshold, 0,
                                   0, arguments.minTheta, arguments.maxTheta, arguments.weighted);
-        results.push_back(
-            {search.image, search.group, arguments, threshold, shareOf(wanted, lines, arguments),
-             shareOf(above(threshold, real), lines, arguments), static_cast<int>(lines.size()),
-             countCrowded(lines, arguments),
-             countWrongVotes(lines, countVotes(lines, search.edges, arguments))});
+        results.push_back({search.image, search.group, arguments, threshold,
+                           shareOf(wanted, lines, arguments),
+                           shareOf(above(threshold, real), lines, arguments),
+                           static_cast<int>(lines.size()), countCrowded(lines, arguments),
+                           countWrongVotes(lines, countVotes(lines, search.edges, arguments))});
         if (cases)
             printCase(results.back(), *cases);
     }
@@ -151,7 +153,8 @@ try
     }
     if (results.empty())
     {
-        notes << "no image to compare on: give --samples-data or LINESPACE_SAMPLES_DATA" << std::endl;
+        notes << "no image to compare on: give --samples-data or LINESPACE_SAMPLES_DATA"
+              << std::endl;
         return exitSkipped;
     }
 

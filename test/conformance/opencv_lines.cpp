@@ -16,19 +16,20 @@ namespace conformance {
 
 namespace {
 
-template <class Image, class = void> struct HasEdgeValues : std::false_type
+template<class Image, class = void>
+struct HasEdgeValues : std::false_type
 {
 };
 
-template <class Image>
-struct HasEdgeValues<Image, std::void_t<decltype(cv::HoughLines(
-                                std::declval<Image>(), std::declval<Lines&>(), 1.0, 1.0, 1, 0.0,
-                                0.0, 0.0, 1.0, true))>> : std::true_type
+template<class Image>
+struct HasEdgeValues<
+    Image, std::void_t<decltype(cv::HoughLines(std::declval<Image>(), std::declval<Lines&>(), 1.0,
+                                               1.0, 1, 0.0, 0.0, 0.0, 1.0, true))>> : std::true_type
 {
 };
 
 // A template, so that the call which an older OpenCV does not have is not compiled there.
-template <class Image>
+template<class Image>
 void houghLines(const Image& edges, const Arguments& a, int threshold, Lines& lines)
 {
     if constexpr (HasEdgeValues<Image>::value)

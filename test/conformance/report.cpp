@@ -82,12 +82,12 @@ void printTable(const std::vector<Result>& results, const std::string& title,
 void printWorst(std::vector<Result> results, std::ostream& out)
 {
     std::stable_sort(results.begin(), results.end(),
-                     [](const Result& a, const Result& b) {
-                         return a.claimed.value() < b.claimed.value();
-                     });
+                     [](const Result& a, const Result& b)
+                     { return a.claimed.value() < b.claimed.value(); });
     results.resize(std::min<std::size_t>(results.size(), 10));
     out << "\nThe ten worst cases:\n\n"
-           "| image | rho | theta | range | threshold | found | of | share | found, real votes | of |\n"
+           "| image | rho | theta | range | threshold | found | of | share | found, real votes | "
+           "of |\n"
            "| --- | ---: | ---: | --- | ---: | ---: | ---: | ---: | ---: | ---: |\n";
     for (const Result& r : results)
         out << "| " << r.image << " | " << number(r.arguments.rho, 3) << " | "
@@ -135,8 +135,8 @@ void printSummary(const Summary& summary, std::ostream& out)
 {
     out << summary.cases << " cases: mean share " << share(summary.mean) << ", worst case "
         << share(summary.worst) << "; by real votes " << share(summary.realMean) << ", "
-        << share(summary.realWorst) << "; cases with lines in one cell or with wrong votes: "
-        << summary.dishonest << std::endl;
+        << share(summary.realWorst)
+        << "; cases with lines in one cell or with wrong votes: " << summary.dishonest << std::endl;
 }
 
 void printMarkdown(const std::vector<Result>& results, const std::vector<std::string>& heading,
@@ -144,39 +144,54 @@ void printMarkdown(const std::vector<Result>& results, const std::vector<std::st
 {
     const Summary summary = summaryOf(results);
     out << "# Conformance of the drop-in to cv::HoughLines\n\n"
-           "How many lines of `cv::HoughLines` has `cv::linespace::HoughLines`, called with the same\n"
-           "arguments on the same edge map? A line counts as found if ours has one within one cell\n"
+           "How many lines of `cv::HoughLines` has `cv::linespace::HoughLines`, called with the "
+           "same\n"
+           "arguments on the same edge map? A line counts as found if ours has one within one "
+           "cell\n"
            "(rho differs by at most rho, theta by at most theta) with at least 98 % of its votes.\n"
            "cv::HoughLines reports every local maximum of its accumulator, so that an edge gives\n"
            "several neighbouring lines; ours reports no two within one cell, hence the difference\n"
-           "in numbers. The lines of cv::HoughLines are first freed of the bias of half a rho that\n"
+           "in numbers. The lines of cv::HoughLines are first freed of the bias of half a rho "
+           "that\n"
            "its versions before 4.13 have where the number of cells is even.\n\n"
            "A case is an edge map, a resolution, an angle range and a threshold. Thresholds are\n"
            "those at which cv::HoughLines gives 10, 100 and 2000 lines, and those of OpenCV's own\n"
-           "test. The share of a case is the lines found by all lines of cv::HoughLines; means are\n"
-           "over cases. In every case the test also checks that no two of our lines are within one\n"
+           "test. The share of a case is the lines found by all lines of cv::HoughLines; means "
+           "are\n"
+           "over cases. In every case the test also checks that no two of our lines are within "
+           "one\n"
            "cell, and counts the edge pixels of each of our lines to verify its votes.\n\n"
-           "*Real votes*: cv::HoughLines adds up its angles in float, and so counts at an angle that\n"
-           "differs from the reported one by up to 1e-4 rad. Some of the votes that it reports are\n"
-           "pixels that are not within rho / 2 of the line that it reports, and lines just above the\n"
+           "*Real votes*: cv::HoughLines adds up its angles in float, and so counts at an angle "
+           "that\n"
+           "differs from the reported one by up to 1e-4 rad. Some of the votes that it reports "
+           "are\n"
+           "pixels that are not within rho / 2 of the line that it reports, and lines just above "
+           "the\n"
            "threshold are really at it. The columns with real votes count the edge pixels of its\n"
-           "lines too: a line whose real votes are not above the threshold is not asked for, and the\n"
+           "lines too: a line whose real votes are not above the threshold is not asked for, and "
+           "the\n"
            "98 % are of the real votes. Votes of ours are always real.\n\n";
     for (const std::string& line : heading)
         out << "- " << line << "\n";
     for (const std::string& line : skipped)
         out << "- left out: " << line << "\n";
-    out << "\n**" << summary.cases << " cases: mean share " << share(summary.mean) << ", worst case "
-        << share(summary.worst) << "; by real votes " << share(summary.realMean) << ", worst case "
-        << share(summary.realWorst) << "; cases with two lines in one cell or with wrong votes: "
-        << summary.dishonest << ".**\n";
+    out << "\n**" << summary.cases << " cases: mean share " << share(summary.mean)
+        << ", worst case " << share(summary.worst) << "; by real votes " << share(summary.realMean)
+        << ", worst case " << share(summary.realWorst)
+        << "; cases with two lines in one cell or with wrong votes: " << summary.dishonest
+        << ".**\n";
     printTable(results, "lines of cv::HoughLines in the case", thresholdClass, out);
-    printTable(results, "what is varied", [](const Result& r) { return r.group; }, out);
-    printTable(results, "rho, theta", [](const Result& r) {
-        return number(r.arguments.rho, 3) + " px, " + angle(r.arguments.theta);
-    }, out);
-    printTable(results, "angle range", [](const Result& r) { return rangeOf(r.arguments); }, out);
-    printTable(results, "image", [](const Result& r) { return r.image; }, out);
+    printTable(
+        results, "what is varied", [](const Result& r) { return r.group; }, out);
+    printTable(
+        results, "rho, theta",
+        [](const Result& r)
+        { return number(r.arguments.rho, 3) + " px, " + angle(r.arguments.theta); },
+        out);
+    printTable(
+        results, "angle range", [](const Result& r) { return rangeOf(r.arguments); }, out);
+    printTable(
+        results, "image", [](const Result& r) { return r.image; }, out);
     printWorst(results, out);
 }
 

@@ -50,6 +50,6 @@ function(linespace_add_harness_program name folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp ${folder}/*.hpp)
   add_executable(${name} ${sources})
   target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/${folder}")
-  target_compile_options(${name} PRIVATE ${linespace_warnings})
+  target_compile_options(${name} PRIVATE ${linespace_warnings} -Wno-shadow) # ts and OpenCV share many names
   target_link_libraries(${name} PRIVATE opencv_ts opencv_linespace)
 endfunction()

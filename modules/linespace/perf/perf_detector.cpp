@@ -12,14 +12,16 @@ namespace {
 
 namespace ls = cv::linespace;
 
-#define LINESPACE_SIZES                                                                                        \
-    testing::Values(cv::Size(64, 64), cv::Size(128, 128), cv::Size(256, 256), cv::Size(512, 512),              \
-                    cv::Size(1024, 1024), cv::Size(640, 480), cv::Size(1280, 720), cv::Size(1920, 1080))
+#define LINESPACE_SIZES                                                                            \
+    testing::Values(cv::Size(64, 64), cv::Size(128, 128), cv::Size(256, 256), cv::Size(512, 512),  \
+                    cv::Size(1024, 1024), cv::Size(640, 480), cv::Size(1280, 720),                 \
+                    cv::Size(1920, 1080))
 
-typedef perf::TestBaseWithParam<tuple<std::string, cv::Size> > Detector_Photograph;
+typedef perf::TestBaseWithParam<tuple<std::string, cv::Size>> Detector_Photograph;
 
 //! The 100 strongest lines above a fixed threshold, refined.
-PERF_TEST_P(Detector_Photograph, detect, testing::Combine(testing::Values("building.jpg", "home.jpg"), LINESPACE_SIZES))
+PERF_TEST_P(Detector_Photograph, detect,
+            testing::Combine(testing::Values("building.jpg", "home.jpg"), LINESPACE_SIZES))
 {
     const cv::Mat edges = photographEdges(get<0>(GetParam()), get<1>(GetParam()));
     const int threshold = std::min(edges.cols, edges.rows) / 5;
@@ -45,16 +47,19 @@ PERF_TEST_P(Detector_Photograph, detect_significant,
 typedef perf::TestBaseWithParam<cv::Size> Detector_Table;
 
 //! METHOD_EXACT: O(n^3), so small images only.
-PERF_TEST_P(Detector_Table, exact, testing::Values(cv::Size(64, 64), cv::Size(128, 128), cv::Size(256, 256)))
+PERF_TEST_P(Detector_Table, exact,
+            testing::Values(cv::Size(64, 64), cv::Size(128, 128), cv::Size(256, 256)))
 {
     const cv::Mat edges = photographEdges("building.jpg", GetParam());
-    const cv::Ptr<ls::LineSpaceDetector> detector = ls::LineSpaceDetector::create(20, 100, ls::METHOD_EXACT);
+    const cv::Ptr<ls::LineSpaceDetector> detector =
+        ls::LineSpaceDetector::create(20, 100, ls::METHOD_EXACT);
     std::vector<cv::Vec3f> lines;
     TEST_CYCLE() detector->detect(edges, lines);
     SANITY_CHECK_NOTHING();
 }
 
-PERF_TEST_P(Detector_Table, compute, testing::Values(cv::Size(64, 64), cv::Size(256, 256), cv::Size(512, 512)))
+PERF_TEST_P(Detector_Table, compute,
+            testing::Values(cv::Size(64, 64), cv::Size(256, 256), cv::Size(512, 512)))
 {
     const cv::Mat edges = photographEdges("building.jpg", GetParam());
     const cv::Ptr<ls::LineSpaceDetector> detector = ls::LineSpaceDetector::create();

@@ -22,9 +22,10 @@ typedef perf::TestBaseWithParam<HoughParameters> HoughLines_Photograph;
 
 PERF_TEST_P(HoughLines_Photograph, time,
             testing::Combine(testing::Values("building.jpg", "home.jpg"),
-                             testing::Values(cv::Size(64, 64), cv::Size(128, 128), cv::Size(256, 256), cv::Size(512, 512),
-                                             cv::Size(1024, 1024), cv::Size(640, 480), cv::Size(1280, 720),
-                                             cv::Size(1920, 1080)),
+                             testing::Values(cv::Size(64, 64), cv::Size(128, 128),
+                                             cv::Size(256, 256), cv::Size(512, 512),
+                                             cv::Size(1024, 1024), cv::Size(640, 480),
+                                             cv::Size(1280, 720), cv::Size(1920, 1080)),
                              testing::Values(1., 0.1), ImplementationName::all()))
 {
     const cv::Mat edges = photographEdges(get<0>(GetParam()), get<1>(GetParam()));

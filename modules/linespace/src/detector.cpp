@@ -229,8 +229,8 @@ public:
         p.check();
         parameters_ = p;
     }
-    //! True while no image was processed since the creation or the last clear().
-    bool empty() const CV_OVERRIDE { return !plan_; }
+    //! Never: the parameters are always complete. (Algorithm::load gives up on what is empty after read.)
+    bool empty() const CV_OVERRIDE { return false; }
     //! Frees the plan and the buffers; the parameters and the mask stay.
     void clear() CV_OVERRIDE
     {
@@ -240,7 +240,7 @@ public:
         spare_.buffer.release();
         activeBackend_ = -1;
     }
-    String getDefaultName() const CV_OVERRIDE { return "linespace.LineSpaceDetector"; }
+    String getDefaultName() const CV_OVERRIDE { return "LineSpaceDetector"; }
 
 private:
     template <class Value> static void readInto(const FileNode& fn, const char* name, Value& value)
@@ -313,7 +313,7 @@ private:
         if (level < 0)
             level = plan->levelCount() - 1;
         checkRange(level, 0, plan->levelCount() - 1, "level", "less than the number of levels of this image size");
-        const double outputBytes = writesTable ? tableBytes(plan->level(level)) : 0;
+        const double outputBytes = writesTable ? tableBytes(plan->level(level), image.size()) : 0;
         checkMemory(*plan, level, outputBytes);
         const Ptr<Executor> executor = executorFor(parameters_.backend, executor_);
 
@@ -348,15 +348,15 @@ private:
     static void threshold(const Mat& image, Mat& votes) { cv::min(image, Scalar(1), votes); }
 
     //! Bytes of a level's output; throws if an array cannot be so large.
-    static double tableBytes(const Level& level)
+    static double tableBytes(const Level& level, Size size)
     {
         const double rows = (double)level.grid.height * level.cell.borderCount();
         const double columns = (double)level.grid.width * level.cell.borderCount();
         const double bytes = rows * columns * sizeof(int);
         if (bytes > INT_MAX)
-            CV_Error_(Error::StsNoMem, ("the table of %.0f x %.0f votes needs %.0f MiB: must be at most 2047 MiB; "
-                                        "use detect, or a smaller edge map",
-                                        rows, columns, bytes / (1 << 20)));
+            CV_Error_(Error::StsNoMem, ("edges of %d x %d pixels have a table of %.0f x %.0f votes, %.0f MiB: must be at most "
+                                        "2047 MiB; use detect, or a smaller edge map",
+                                        size.width, size.height, rows, columns, bytes / (1 << 20)));
         return bytes;
     }
 
@@ -440,7 +440,8 @@ private:
             Line line = chosen[i].line;
             angles.represent(line);
             const Vec2f polar = angles.round(line);
-            lines.push_back(Vec3f(polar[0], polar[1], (float)chosen[i].candidate.votes));
+            if (angles.contains(polar[1])) // an interval narrower than a float's step may hold none
+                lines.push_back(Vec3f(polar[0], polar[1], (float)chosen[i].candidate.votes));
         }
     }
 

@@ -41,6 +41,11 @@ int HoughGrid::nearest(float value) const
     return mostDistance <= MOST_SMALL ? nearestSmall(value) : cvRound(value);
 }
 
+bool HoughGrid::isAxisParallel(int angle) const
+{
+    return std::min(std::abs(cosines[angle]), std::abs(sines[angle])) * std::max(image.width, image.height) < 1e-4f;
+}
+
 HoughGrid::HoughGrid(Size imageSize, double rhoStep, double thetaStep, double minTheta, double maxTheta)
     : rho(rhoStep), angles(0), mostDistance(0), wraps(false), image(imageSize)
 {
@@ -78,7 +83,9 @@ HoughGrid::HoughGrid(Size imageSize, double rhoStep, double thetaStep, double mi
 
 Vec2f HoughGrid::line(int angle, int distance) const
 {
-    const Line line = {distance == 0 ? 0 : distance * rho, thetas[angle]};
+    // The last angle may be beyond the end by the tolerance of the count.
+    const double theta = std::max(interval.min, std::min(interval.max, thetas[angle]));
+    const Line line = {distance == 0 ? 0 : distance * rho, theta};
     return interval.round(line);
 }
 
@@ -146,6 +153,19 @@ void BandCounter::countAll(int angle)
     {
         const int run = (int)std::min<size_t>(RUN, n - begin);
         const float *x = pixels_.x.data() + begin, *y = pixels_.y.data() + begin;
+        if (grid_.isAxisParallel(angle))
+        {
+            for (int k = 0; k < run; ++k)
+            {
+                const float at = position(x[k], y[k], c, s);
+                const int weight = pixels_.weights.empty() ? 1 : pixels_.weights[begin + k];
+                const int low = cvCeil(at - 0.5f), high = cvFloor(at + 0.5f);
+                origin[low] += weight;
+                if (high != low)
+                    origin[high] += weight;
+            }
+            continue;
+        }
         if (grid_.mostDistance <= MOST_SMALL)
             for (int k = 0; k < run; ++k)
                 indices[k] = nearestSmall(position(x[k], y[k], c, s));
@@ -165,7 +185,7 @@ int BandCounter::countLine(int angle, int distance) const
 {
     const Mat& map = pixels_.edges->votes;
     const float c = grid_.cosines[angle], s = grid_.sines[angle];
-    const bool xMajor = std::abs(s) >= std::abs(c);
+    const bool xMajor = std::abs(s) >= std::abs(c), axisParallel = grid_.isAxisParallel(angle);
     const float major = xMajor ? c : s, minor = xMajor ? s : c;
     const int length = xMajor ? map.cols : map.rows, limit = xMajor ? map.rows : map.cols;
     // Somewhat wider than the band: the expression above decides.
@@ -180,8 +200,15 @@ int BandCounter::countLine(int angle, int distance) const
         const int first = std::max(0, cvCeil(centre - half)), last = std::min(limit - 1, cvFloor(centre + half));
         const uchar* pixel = map.data + i * majorStep + first * minorStep;
         for (int k = first; k <= last; ++k, pixel += minorStep)
-            if (*pixel && grid_.nearest(xMajor ? position((float)i, (float)k, c, s) : position((float)k, (float)i, c, s)) == distance)
+        {
+            if (!*pixel)
+                continue;
+            const float at = xMajor ? position((float)i, (float)k, c, s) : position((float)k, (float)i, c, s);
+            const bool votes = axisParallel ? cvCeil(at - 0.5f) == distance || cvFloor(at + 0.5f) == distance
+                                            : grid_.nearest(at) == distance;
+            if (votes)
                 sum += *pixel;
+        }
     }
     return sum;
 }

@@ -34,6 +34,10 @@ struct HoughGrid
     //! (rho, theta) of a line as reported.
     Vec2f line(int angle, int distance) const;
 
+    /** Whether whole rows or columns of pixels can lie on the boundary between two lines (as at rho = 2): they are
+    within rho / 2 of both, and vote for both. */
+    bool isAxisParallel(int angle) const;
+
     //! Nearest integer, ties to even, of a pixel's position in units of rho.
     int nearest(float value) const;
 

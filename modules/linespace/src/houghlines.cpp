@@ -130,6 +130,13 @@ void HoughLines(InputArray image, OutputArray lines, double rho, double theta, i
     if (source.type() != CV_8UC1)
         CV_Error_(Error::StsUnsupportedFormat,
                   ("image has type %s: must be CV_8UC1", typeToString(source.type()).c_str()));
+    // As in cv::HoughLines, a negative step is an error unless it is so large that there is nothing to count.
+    const double distances = (2. * (source.cols + source.rows) + 1) / rho, angles = (max_theta - min_theta) / theta;
+    if ((rho < 0 && cvRound(distances) == 0) || (theta < 0 && rho != 0 && angles >= -0.5 && angles <= 0))
+    {
+        lines.release();
+        return;
+    }
     const HoughGrid grid(source.size(), rho / std::max(1., srn), theta / std::max(1., stn), min_theta, max_theta);
 
     std::vector<GridLine> found;

@@ -90,7 +90,7 @@ Vec2f AngleInterval::round(const Line& line) const
     float theta = (float)line.theta;
     if (theta < min)
         theta = std::nextafter(theta, up);
-    else if (isFull() ? theta >= min + CV_PI : theta > max)
+    else if (!contains(theta))
         theta = std::nextafter(theta, -up);
     return Vec2f((float)line.rho, theta);
 }

@@ -39,7 +39,9 @@ struct AngleInterval
     bool isFull() const { return max - min >= CV_PI; }
     //! Writes the line with its angle in the interval; false if there is none.
     bool represent(Line& line) const;
-    //! (rho, theta) as floats, theta in the interval after rounding as well. For lines from represent().
+    bool contains(double theta) const { return theta >= min && (isFull() ? theta < min + CV_PI : theta <= max); }
+    /** (rho, theta) as floats, theta in the interval after rounding as well, unless no float is. For lines from
+    represent(). */
     Vec2f round(const Line& line) const;
 };
 

@@ -668,6 +668,7 @@ TEST_P(Linespace_Detect, refinement_moves_lines_by_a_pixel_at_most)
     const Size size(160, 120);
     const Mat1b edges = linesInNoise(size, 6, 0.02, 5, drawn);
     Ptr<LineSpaceDetector> detector = LineSpaceDetector::create(30, 0, method(), 8, backend());
+    detector->setSuppressionRadius(0);
     detector->setSuppressionDistance(0); // refined lines may come near each other
     const Lines refined = detectLines(*detector, edges);
     detector->setRefine(REFINE_NONE);
