@@ -99,7 +99,7 @@ void writeTimes(std::ostream& out, const Settings& settings)
                              {
                                  ls::HoughLines(edges, lines, 1, CV_PI / 1800, threshold);
                              }},
-                            std::min(settings.runs, 3));
+                            size.width > 512 ? 1 : std::min(settings.runs, 3));
                 double& finest = finestTimes[name + std::to_string(size.width)];
                 if (finest == 0)
                     finest =

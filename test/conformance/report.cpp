@@ -180,7 +180,10 @@ void printMarkdown(const std::vector<Result>& results, const std::vector<std::st
         << ", worst case " << share(summary.realWorst)
         << "; cases with two lines in one cell or with wrong votes: " << summary.dishonest
         << ".**\n";
-    printTable(results, "lines of cv::HoughLines in the case", thresholdClass, out);
+    std::vector<Result> bySize = results;
+    std::stable_sort(bySize.begin(), bySize.end(),
+                     [](const Result& a, const Result& b) { return a.claimed.of < b.claimed.of; });
+    printTable(bySize, "lines of cv::HoughLines in the case", thresholdClass, out);
     printTable(
         results, "what is varied", [](const Result& r) { return r.group; }, out);
     printTable(

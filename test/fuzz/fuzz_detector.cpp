@@ -29,9 +29,12 @@ Outcome run(int backend, const std::vector<uint8_t>& bytes)
     outcome.refused = false;
     try
     {
-        const int threshold = data.ConsumeIntegralInRange(-2, 60), most = data.ConsumeIntegralInRange(-2, 20);
-        const int method = data.ConsumeIntegralInRange(-1, 2), cellSize = data.ConsumeIntegralInRange(1, 66);
-        cv::Ptr<ls::LineSpaceDetector> detector = ls::LineSpaceDetector::create(threshold, most, method, cellSize, backend);
+        const int threshold = data.ConsumeIntegralInRange(-2, 60),
+                  most = data.ConsumeIntegralInRange(-2, 20);
+        const int method = data.ConsumeIntegralInRange(-1, 2),
+                  cellSize = data.ConsumeIntegralInRange(1, 66);
+        cv::Ptr<ls::LineSpaceDetector> detector =
+            ls::LineSpaceDetector::create(threshold, most, method, cellSize, backend);
         detector->setSuppression(data.ConsumeIntegralInRange(-1, 3));
         detector->setSuppressionRadius(data.ConsumeIntegralInRange(-1, 66));
         detector->setSuppressionDistance(data.ConsumeFloatingPoint<double>());
@@ -67,11 +70,13 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
 {
     cv::setNumThreads(2);
     const std::vector<uint8_t> input(bytes, bytes + size);
-    const Outcome expected = run(ls::BACKEND_REFERENCE, input), actual = run(ls::BACKEND_CPU, input);
+    const Outcome expected = run(ls::BACKEND_REFERENCE, input),
+                  actual = run(ls::BACKEND_CPU, input);
     require(expected.refused == actual.refused, "one back end refuses");
     require(expected.levels.size() == actual.levels.size(), "number of levels");
     for (size_t i = 0; i < expected.levels.size(); ++i)
-        require(cv::norm(expected.levels[i], actual.levels[i], cv::NORM_INF) == 0, "votes of a level");
+        require(cv::norm(expected.levels[i], actual.levels[i], cv::NORM_INF) == 0,
+                "votes of a level");
     require(expected.lines == actual.lines, "lines");
     return 0;
 }

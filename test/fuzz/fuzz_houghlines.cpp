@@ -16,11 +16,15 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
 {
     FuzzedDataProvider data(bytes, size);
     const bool wild = data.ConsumeBool();
-    const double rho = wild ? data.ConsumeFloatingPoint<double>() : data.ConsumeFloatingPointInRange<double>(0.25, 20);
-    const double theta = wild ? data.ConsumeFloatingPoint<double>() : data.ConsumeFloatingPointInRange<double>(0.01, 1);
+    const double rho = wild ? data.ConsumeFloatingPoint<double>()
+                            : data.ConsumeFloatingPointInRange<double>(0.25, 20);
+    const double theta = wild ? data.ConsumeFloatingPoint<double>()
+                              : data.ConsumeFloatingPointInRange<double>(0.01, 1);
     const int threshold = data.ConsumeIntegralInRange(-5, 60);
-    const double from = wild ? data.ConsumeFloatingPoint<double>() : data.ConsumeFloatingPointInRange<double>(-7, 7);
-    const double to = wild ? data.ConsumeFloatingPoint<double>() : from + data.ConsumeFloatingPointInRange<double>(0, 7);
+    const double from = wild ? data.ConsumeFloatingPoint<double>()
+                             : data.ConsumeFloatingPointInRange<double>(-7, 7);
+    const double to = wild ? data.ConsumeFloatingPoint<double>()
+                           : from + data.ConsumeFloatingPointInRange<double>(0, 7);
     const bool weighted = data.ConsumeBool();
     const cv::Mat image = fuzzImage(data);
     // A fine grid is a legal wish, but one that takes longer than a fuzzer waits.
@@ -42,7 +46,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
         require(i == 0 || lines[i - 1][2] >= lines[i][2], "order");
         require(!std::isnan(lines[i][0]) && !std::isnan(lines[i][1]), "not a number");
         if (!wild)
-            require(lines[i][1] >= (float)from - 1e-6f && lines[i][1] <= (float)to + 1e-6f, "theta in its interval");
+            require(lines[i][1] >= (float)from - 1e-6f && lines[i][1] <= (float)to + 1e-6f,
+                    "theta in its interval");
     }
     return 0;
 }

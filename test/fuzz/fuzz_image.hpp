@@ -16,7 +16,8 @@
 //! Up to 40 x 40 pixels, sometimes a part of a larger image; what the bytes do not fill is 0.
 inline cv::Mat fuzzImage(FuzzedDataProvider& data)
 {
-    const int width = data.ConsumeIntegralInRange(1, 40), height = data.ConsumeIntegralInRange(1, 40);
+    const int width = data.ConsumeIntegralInRange(1, 40),
+              height = data.ConsumeIntegralInRange(1, 40);
     const int margin = data.ConsumeIntegralInRange(0, 3);
     cv::Mat whole = cv::Mat::zeros(height + 2 * margin, width + 2 * margin, CV_8UC1);
     cv::Mat image = whole(cv::Rect(margin, margin, width, height));

@@ -13,12 +13,17 @@
 
 namespace opencv_test {
 
+#define LINESPACE_SIZES                                                                            \
+    testing::Values(cv::Size(64, 64), cv::Size(128, 128), cv::Size(256, 256), cv::Size(512, 512),  \
+                    cv::Size(1024, 1024), cv::Size(640, 480), cv::Size(1280, 720),                 \
+                    cv::Size(1920, 1080))
+
 /** Canny edges (50/150) of one of OpenCV's sample photographs, scaled to the size; never an empty image. The
 folder is that of the environment variable LINESPACE_SAMPLES_DATA, without which the test is skipped. */
 inline cv::Mat photographEdges(const std::string& name, cv::Size size)
 {
     const char* folder = std::getenv("LINESPACE_SAMPLES_DATA");
-    if (!folder)
+    if (!folder || !*folder)
         throw cvtest::SkipTestException("LINESPACE_SAMPLES_DATA is not set: no photographs");
     const cv::Mat grey = cv::imread(std::string(folder) + "/" + name, cv::IMREAD_GRAYSCALE);
     if (grey.empty())

@@ -12,11 +12,6 @@ namespace {
 
 namespace ls = cv::linespace;
 
-#define LINESPACE_SIZES                                                                            \
-    testing::Values(cv::Size(64, 64), cv::Size(128, 128), cv::Size(256, 256), cv::Size(512, 512),  \
-                    cv::Size(1024, 1024), cv::Size(640, 480), cv::Size(1280, 720),                 \
-                    cv::Size(1920, 1080))
-
 typedef perf::TestBaseWithParam<tuple<std::string, cv::Size>> Detector_Photograph;
 
 //! The 100 strongest lines above a fixed threshold, refined.

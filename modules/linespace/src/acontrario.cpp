@@ -15,8 +15,8 @@ namespace {
 double binomialTail(int n, int k, double p, const std::vector<double>& logFactorial)
 {
     const double odds = p / (1 - p);
-    double term = std::exp(logFactorial[n] - logFactorial[k] - logFactorial[n - k] + k * std::log(p) +
-                           (n - k) * std::log1p(-p));
+    double term = std::exp(logFactorial[n] - logFactorial[k] - logFactorial[n - k] +
+                           k * std::log(p) + (n - k) * std::log1p(-p));
     double sum = 0;
     for (; k <= n && term > sum * 1e-17; ++k)
     {
@@ -43,8 +43,11 @@ std::vector<int> significantVotes(int maxLength, double density, double tests, d
         // One more pixel never lowers k, and raises it by one at most.
         for (; k <= n; ++k)
         {
-            const double tail = k == 0 ? 1 : density <= 0 ? 0 : density >= 1 || k <= n * density
-                                    ? 1 : binomialTail(n, k, density, logFactorial);
+            const double tail = k == 0         ? 1
+                                : density <= 0 ? 0
+                                : density >= 1 || k <= n * density
+                                    ? 1
+                                    : binomialTail(n, k, density, logFactorial);
             if (tests * tail < falseAlarms)
                 break;
         }

@@ -15,8 +15,8 @@ std::atomic<int> defaultBackend(BACKEND_AUTO);
 
 const char* nameOf(int backend)
 {
-    static const char* const names[] = {"BACKEND_AUTO", "BACKEND_REFERENCE", "BACKEND_CPU", "BACKEND_OPENCL",
-                                        "BACKEND_OPENGL"};
+    static const char* const names[] = {"BACKEND_AUTO", "BACKEND_REFERENCE", "BACKEND_CPU",
+                                        "BACKEND_OPENCL", "BACKEND_OPENGL"};
     return names[backend];
 }
 
@@ -30,7 +30,8 @@ bool isAvailable(int backend)
 void setDefaultBackend(int backend)
 {
     if (backend < BACKEND_AUTO || backend > BACKEND_OPENGL)
-        CV_Error_(Error::StsOutOfRange, ("backend = %d: must be one of enum Backend, 0 to 4", backend));
+        CV_Error_(Error::StsOutOfRange,
+                  ("backend = %d: must be one of enum Backend, 0 to 4", backend));
     defaultBackend = backend;
 }
 
@@ -48,9 +49,9 @@ Ptr<Executor> executorFor(int backend, const Ptr<Executor>& kept)
             backend = BACKEND_CPU;
     }
     if (!isAvailable(backend))
-        CV_Error_(Error::StsNotImplemented,
-                  ("backend = %s is not part of this build: must be BACKEND_AUTO, BACKEND_REFERENCE or BACKEND_CPU",
-                   nameOf(backend)));
+        CV_Error_(Error::StsNotImplemented, ("backend = %s is not part of this build: must be "
+                                             "BACKEND_AUTO, BACKEND_REFERENCE or BACKEND_CPU",
+                                             nameOf(backend)));
     if (kept && kept->backend() == backend)
         return kept;
     return backend == BACKEND_REFERENCE ? createReferenceExecutor() : createCpuExecutor();

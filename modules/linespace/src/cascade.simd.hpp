@@ -24,19 +24,21 @@ void addPlanes(const uchar* const* planes, int count, size_t cells, void* votes,
 /** Computes rows firstRow .. lastRow - 1 of all parents of a level.
 @param child table of the level below, childDepth bytes per vote, 2 * cells cells per chord.
 @param parent table of the level, parentDepth >= childDepth bytes per vote, cells cells per chord. */
-void mergeRows(const Merge& merge, int firstRow, int lastRow, size_t cells, const void* child, int childDepth,
-               void* parent, int parentDepth);
+void mergeRows(const Merge& merge, int firstRow, int lastRow, size_t cells, const void* child,
+               int childDepth, void* parent, int parentDepth);
 
 /** Exact votes of the chords (s, e), e = firstPartner .. borderCount - 1, of an image of one cell.
 @param map the image, continuous, one byte per pixel; transposed: the same with x and y exchanged.
 @param votes one result per chord, `depth` bytes each. */
-void exactRow(const Cell& frame, int s, const uchar* map, const uchar* transposed, void* votes, int depth);
+void exactRow(const Cell& frame, int s, const uchar* map, const uchar* transposed, void* votes,
+              int depth);
 
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
 
 namespace {
 
-template <class Votes> void addPlanesOf(const uchar* const* planes, int count, size_t cells, Votes* votes)
+template<class Votes>
+void addPlanesOf(const uchar* const* planes, int count, size_t cells, Votes* votes)
 {
     // Four planes at a time: one load and one store of the sums for four loads of pixels.
     int p = 0;
@@ -65,8 +67,8 @@ template <class Votes> void addPlanesOf(const uchar* const* planes, int count, s
 
 enum
 {
-    ROW_BLOCK = 16,    // rows that share the lines of the child's table that a run of ends touches
-    END_BLOCK = 256    // ends per run: 256 lines of 64 bytes stay in a first-level cache
+    ROW_BLOCK = 16, // rows that share the lines of the child's table that a run of ends touches
+    END_BLOCK = 256 // ends per run: 256 lines of 64 bytes stay in a first-level cache
 };
 
 /** crossing(s, e + i) for i = 0 .. count - 1, e .. e + count - 1 on one side of one child.
@@ -82,7 +84,8 @@ void crossings(const Merge& merge, int s, int e, int count, int* m)
     // In that order both are positive if s lies on A, else both are negative: the same quotient.
     const double numerator = (double)alongS * acrossE - (double)alongE * acrossS;
     const double denominator = 2. * ((double)acrossE - acrossS);
-    const double numeratorStep = (double)alongS * (acrossNext - acrossE) - (double)(alongNext - alongE) * acrossS;
+    const double numeratorStep =
+        (double)alongS * (acrossNext - acrossE) - (double)(alongNext - alongE) * acrossS;
     const double denominatorStep = 2. * (acrossNext - acrossE);
     for (int i = 0; i < count; ++i)
         m[i] = (int)((numerator + i * numeratorStep) / (denominator + i * denominatorStep));
@@ -90,9 +93,9 @@ void crossings(const Merge& merge, int s, int e, int count, int* m)
 
 /** The runs of `count` chords (s, e + i): of each, `cells` votes are the sum of those at a + m[i] * strideA
 and those at b + m[i] * strideB + i * stepB. Cells > 0 is the number of cells known when compiling. */
-template <int Cells, class ChildVotes, class ParentVotes>
-void addRuns(const ChildVotes* a, ptrdiff_t strideA, const ChildVotes* b, ptrdiff_t strideB, ptrdiff_t stepB,
-             const int* m, int count, size_t cells, ParentVotes* parent)
+template<int Cells, class ChildVotes, class ParentVotes>
+void addRuns(const ChildVotes* a, ptrdiff_t strideA, const ChildVotes* b, ptrdiff_t strideB,
+             ptrdiff_t stepB, const int* m, int count, size_t cells, ParentVotes* parent)
 {
     const size_t n = Cells > 0 ? (size_t)Cells : cells;
     for (int i = 0; i < count; ++i, b += stepB, parent += n)
@@ -103,7 +106,7 @@ void addRuns(const ChildVotes* a, ptrdiff_t strideA, const ChildVotes* b, ptrdif
     }
 }
 
-template <int Cells, class ChildVotes, class ParentVotes>
+template<int Cells, class ChildVotes, class ParentVotes>
 void copyRuns(const ChildVotes* a, int count, size_t cells, ParentVotes* parent)
 {
     const size_t n = Cells > 0 ? (size_t)Cells : cells;
@@ -112,9 +115,9 @@ void copyRuns(const ChildVotes* a, int count, size_t cells, ParentVotes* parent)
             parent[c] = a[c];
 }
 
-template <int Cells, class ChildVotes, class ParentVotes>
-void mergeRowsOf(const Merge& merge, int firstRow, int lastRow, size_t cells, const ChildVotes* child,
-                 ParentVotes* parent)
+template<int Cells, class ChildVotes, class ParentVotes>
+void mergeRowsOf(const Merge& merge, int firstRow, int lastRow, size_t cells,
+                 const ChildVotes* child, ParentVotes* parent)
 {
     Segment segments[ROW_BLOCK][MAX_SEGMENTS];
     int m[END_BLOCK];
@@ -124,8 +127,8 @@ void mergeRowsOf(const Merge& merge, int firstRow, int lastRow, size_t cells, co
         // Rows of one side of one child have the same segments.
         const int side = merge.parent.sideOf(row), half = merge.childOf(row);
         int rows = 0, count = 0;
-        for (; rows < ROW_BLOCK && row + rows < lastRow && merge.parent.sideOf(row + rows) == side &&
-               merge.childOf(row + rows) == half;
+        for (; rows < ROW_BLOCK && row + rows < lastRow &&
+               merge.parent.sideOf(row + rows) == side && merge.childOf(row + rows) == half;
              ++rows)
             count = rowSegments(merge, row + rows, segments[rows]);
         for (int k = 0; k < count; ++k)
@@ -145,15 +148,16 @@ void mergeRowsOf(const Merge& merge, int firstRow, int lastRow, size_t cells, co
                     crossings(merge, row + r, e, length, m);
                     const ChildVotes* b = child + (segment.chordE + begin * segment.stepE) * run +
                                           (1 - segment.childS) * n;
-                    addRuns<Cells>(a, segment.strideS * run, b, segment.strideE * run, segment.stepE * run, m,
-                                   length, cells, out);
+                    addRuns<Cells>(a, segment.strideS * run, b, segment.strideE * run,
+                                   segment.stepE * run, m, length, cells, out);
                 }
         row += rows;
     }
 }
 
-template <class ChildVotes, class ParentVotes>
-void mergeRowsFor(const Merge& merge, int firstRow, int lastRow, size_t cells, const void* child, void* parent)
+template<class ChildVotes, class ParentVotes>
+void mergeRowsFor(const Merge& merge, int firstRow, int lastRow, size_t cells, const void* child,
+                  void* parent)
 {
     const ChildVotes* from = (const ChildVotes*)child;
     ParentVotes* to = (ParentVotes*)parent;
@@ -169,7 +173,7 @@ void mergeRowsFor(const Merge& merge, int firstRow, int lastRow, size_t cells, c
     }
 }
 
-template <class Votes>
+template<class Votes>
 void exactRowOf(const Cell& frame, int s, const uchar* map, const uchar* transposed, Votes* votes)
 {
     for (int e = frame.firstPartner(frame.sideOf(s)); e < frame.borderCount(); ++e)
@@ -204,20 +208,22 @@ void addPlanes(const uchar* const* planes, int count, size_t cells, void* votes,
         addPlanesOf(planes, count, cells, (ushort*)votes);
 }
 
-void mergeRows(const Merge& merge, int firstRow, int lastRow, size_t cells, const void* child, int childDepth,
-               void* parent, int parentDepth)
+void mergeRows(const Merge& merge, int firstRow, int lastRow, size_t cells, const void* child,
+               int childDepth, void* parent, int parentDepth)
 {
     switch (childDepth * 8 + parentDepth)
     {
     case 8 + 1: return mergeRowsFor<uchar, uchar>(merge, firstRow, lastRow, cells, child, parent);
     case 8 + 2: return mergeRowsFor<uchar, ushort>(merge, firstRow, lastRow, cells, child, parent);
-    case 16 + 2: return mergeRowsFor<ushort, ushort>(merge, firstRow, lastRow, cells, child, parent);
+    case 16 + 2:
+        return mergeRowsFor<ushort, ushort>(merge, firstRow, lastRow, cells, child, parent);
     case 16 + 4: return mergeRowsFor<ushort, int>(merge, firstRow, lastRow, cells, child, parent);
     default: return mergeRowsFor<int, int>(merge, firstRow, lastRow, cells, child, parent);
     }
 }
 
-void exactRow(const Cell& frame, int s, const uchar* map, const uchar* transposed, void* votes, int depth)
+void exactRow(const Cell& frame, int s, const uchar* map, const uchar* transposed, void* votes,
+              int depth)
 {
     if (depth == 1)
         exactRowOf(frame, s, map, transposed, (uchar*)votes);

@@ -22,7 +22,8 @@ namespace linespace {
 namespace {
 
 //! Throws unless low <= value <= high; NaN is outside of any range.
-template <class Value> void checkRange(Value value, Value low, Value high, const char* name, const char* allowed)
+template<class Value>
+void checkRange(Value value, Value low, Value high, const char* name, const char* allowed)
 {
     if (!(value >= low && value <= high))
         CV_Error_(Error::StsOutOfRange, ("%s = %.15g: must be %s", name, (double)value, allowed));
@@ -33,24 +34,25 @@ void checkImage(const Mat& image, const char* name)
     if (image.empty())
         CV_Error_(Error::StsBadSize, ("%s is empty: must be at least 1 x 1", name));
     if (image.type() != CV_8UC1)
-        CV_Error_(Error::StsUnsupportedFormat, ("%s has %d dimensions and type %s: must be CV_8UC1 with two dimensions",
-                                                name, image.dims, typeToString(image.type()).c_str()));
+        CV_Error_(Error::StsUnsupportedFormat,
+                  ("%s has %d dimensions and type %s: must be CV_8UC1 with two dimensions", name,
+                   image.dims, typeToString(image.type()).c_str()));
     if (image.dims != 2)
         CV_Error_(Error::StsBadSize, ("%s has %d dimensions: must be two", name, image.dims));
 }
 
 struct Parameters
 {
-    int threshold, maxLines, method, cellSize, backend, suppression, suppressionRadius, selection, refine, poolSize,
-        memoryLimit;
+    int threshold, maxLines, method, cellSize, backend, suppression, suppressionRadius, selection,
+        refine, poolSize, memoryLimit;
     double suppressionDistance, candidateRatio, minTheta, maxTheta, falseAlarms;
     bool edgeWeights;
 
     Parameters()
         : threshold(0), maxLines(0), method(METHOD_CASCADED), cellSize(8), backend(BACKEND_AUTO),
-          suppression(SUPPRESS_RING), suppressionRadius(2), selection(SELECT_PEAKS), refine(REFINE_LEAST_SQUARES), poolSize(4096),
-          memoryLimit(8192), suppressionDistance(3), candidateRatio(0.75), minTheta(0), maxTheta(CV_PI),
-          falseAlarms(1), edgeWeights(false)
+          suppression(SUPPRESS_RING), suppressionRadius(2), selection(SELECT_PEAKS),
+          refine(REFINE_LEAST_SQUARES), poolSize(4096), memoryLimit(8192), suppressionDistance(3),
+          candidateRatio(0.75), minTheta(0), maxTheta(CV_PI), falseAlarms(1), edgeWeights(false)
     {
     }
 
@@ -59,21 +61,32 @@ struct Parameters
         const double most = std::numeric_limits<double>::max();
         checkRange(threshold, 0, INT_MAX, "threshold", "0 or more votes");
         checkRange(maxLines, 0, INT_MAX, "maxLines", "0 (all) or more");
-        checkRange(method, (int)METHOD_EXACT, (int)METHOD_CASCADED, "method", "METHOD_EXACT (0) or METHOD_CASCADED (1)");
+        checkRange(method, (int)METHOD_EXACT, (int)METHOD_CASCADED, "method",
+                   "METHOD_EXACT (0) or METHOD_CASCADED (1)");
         checkRange(cellSize, 2, 64, "cellSize", "2 to 64 pixels");
-        checkRange(backend, (int)BACKEND_AUTO, (int)BACKEND_OPENGL, "backend", "one of enum Backend, 0 to 4");
-        checkRange(suppression, (int)SUPPRESS_RING, (int)SUPPRESS_GREEDY, "suppression", "one of enum Suppression, 0 to 2");
+        checkRange(backend, (int)BACKEND_AUTO, (int)BACKEND_OPENGL, "backend",
+                   "one of enum Backend, 0 to 4");
+        checkRange(suppression, (int)SUPPRESS_RING, (int)SUPPRESS_GREEDY, "suppression",
+                   "one of enum Suppression, 0 to 2");
         checkRange(suppressionRadius, 0, 64, "suppressionRadius", "0 to 64 border points");
-        checkRange(suppressionDistance, 0., most, "suppressionDistance", "0 or more pixels, finite");
-        checkRange(selection, (int)SELECT_PEAKS, (int)SELECT_EXPLAIN, "selection", "SELECT_PEAKS (0) or SELECT_EXPLAIN (1)");
-        checkRange(refine, (int)REFINE_NONE, (int)REFINE_LEAST_SQUARES, "refine", "REFINE_NONE (0) or REFINE_LEAST_SQUARES (1)");
+        checkRange(suppressionDistance, 0., most, "suppressionDistance",
+                   "0 or more pixels, finite");
+        checkRange(selection, (int)SELECT_PEAKS, (int)SELECT_EXPLAIN, "selection",
+                   "SELECT_PEAKS (0) or SELECT_EXPLAIN (1)");
+        checkRange(refine, (int)REFINE_NONE, (int)REFINE_LEAST_SQUARES, "refine",
+                   "REFINE_NONE (0) or REFINE_LEAST_SQUARES (1)");
         checkRange(candidateRatio, 0., 1., "candidateRatio", "0 to 1");
         checkRange(poolSize, 1, INT_MAX, "poolSize", "1 or more");
-        checkRange(minTheta, -1e6, 1e6, "minTheta", "a finite angle in radians, at most 1e6 in size");
-        checkRange(maxTheta, -1e6, 1e6, "maxTheta", "a finite angle in radians, at most 1e6 in size");
+        checkRange(minTheta, -1e6, 1e6, "minTheta",
+                   "a finite angle in radians, at most 1e6 in size");
+        checkRange(maxTheta, -1e6, 1e6, "maxTheta",
+                   "a finite angle in radians, at most 1e6 in size");
         if (minTheta > maxTheta)
-            CV_Error_(Error::StsOutOfRange, ("minTheta = %.15g is larger than maxTheta = %.15g: must not be", minTheta, maxTheta));
-        checkRange(falseAlarms, std::numeric_limits<double>::min(), most, "falseAlarms", "more than 0, finite");
+            CV_Error_(Error::StsOutOfRange,
+                      ("minTheta = %.15g is larger than maxTheta = %.15g: must not be", minTheta,
+                       maxTheta));
+        checkRange(falseAlarms, std::numeric_limits<double>::min(), most, "falseAlarms",
+                   "more than 0, finite");
         checkRange(memoryLimit, 1, INT_MAX, "memoryLimit", "1 MiB or more");
     }
 };
@@ -97,18 +110,23 @@ void writeCell(const VoteTable& table, const Cell& cell, size_t cellIndex, Mat o
 class LineSpaceDetectorImpl CV_FINAL : public LineSpaceDetector
 {
 public:
-    explicit LineSpaceDetectorImpl(const Parameters& parameters) : parameters_(parameters), activeBackend_(-1) {}
+    explicit LineSpaceDetectorImpl(const Parameters& parameters)
+        : parameters_(parameters), activeBackend_(-1)
+    {
+    }
 
     void detect(InputArray edges, OutputArray lines) CV_OVERRIDE
     {
         checkOutput(lines);
-        withMemoryFor("edges", edges.size(), [&]() {
-            EdgeMap map;
-            const Ptr<const Plan> plan = count(edges, -1, map);
-            std::vector<Vec3f> found;
-            findLines(map, *plan, found);
-            writeLines(found, lines);
-        });
+        withMemoryFor("edges", edges.size(),
+                      [&]()
+                      {
+                          EdgeMap map;
+                          const Ptr<const Plan> plan = count(edges, -1, map);
+                          std::vector<Vec3f> found;
+                          findLines(map, *plan, found);
+                          writeLines(found, lines);
+                      });
     }
 
     void compute(InputArray edges, OutputArray lineSpace) CV_OVERRIDE
@@ -135,15 +153,18 @@ public:
     Size getLevelGridSize(int level) const CV_OVERRIDE { return levelOf(level).grid; }
     int getActiveBackend() const CV_OVERRIDE { return activeBackend_; }
 
-#define LINESPACE_PARAMETER(Type, Name, name)                                                                  \
-    void set##Name(Type value) CV_OVERRIDE                                                                     \
-    {                                                                                                          \
-        Parameters changed = parameters_;                                                                      \
-        changed.name = value;                                                                                  \
-        changed.check();                                                                                       \
-        parameters_ = changed;                                                                                 \
-    }                                                                                                          \
-    Type get##Name() const CV_OVERRIDE { return parameters_.name; }
+#define LINESPACE_PARAMETER(Type, Name, name)                                                      \
+    void set##Name(Type value) CV_OVERRIDE                                                         \
+    {                                                                                              \
+        Parameters changed = parameters_;                                                          \
+        changed.name = value;                                                                      \
+        changed.check();                                                                           \
+        parameters_ = changed;                                                                     \
+    }                                                                                              \
+    Type get##Name() const CV_OVERRIDE                                                             \
+    {                                                                                              \
+        return parameters_.name;                                                                   \
+    }
 
     LINESPACE_PARAMETER(int, Threshold, threshold)
     LINESPACE_PARAMETER(int, MaxLines, maxLines)
@@ -201,9 +222,12 @@ public:
         const Parameters& p = parameters_;
         fs << "threshold" << p.threshold << "maxLines" << p.maxLines << "method" << p.method;
         fs << "cellSize" << p.cellSize << "backend" << p.backend << "suppression" << p.suppression;
-        fs << "suppressionRadius" << p.suppressionRadius << "suppressionDistance" << p.suppressionDistance;
-        fs << "selection" << p.selection << "refine" << p.refine << "candidateRatio" << p.candidateRatio << "poolSize" << p.poolSize;
-        fs << "minTheta" << p.minTheta << "maxTheta" << p.maxTheta << "falseAlarms" << p.falseAlarms;
+        fs << "suppressionRadius" << p.suppressionRadius << "suppressionDistance"
+           << p.suppressionDistance;
+        fs << "selection" << p.selection << "refine" << p.refine << "candidateRatio"
+           << p.candidateRatio << "poolSize" << p.poolSize;
+        fs << "minTheta" << p.minTheta << "maxTheta" << p.maxTheta << "falseAlarms"
+           << p.falseAlarms;
         fs << "edgeWeights" << (int)p.edgeWeights << "memoryLimit" << p.memoryLimit;
     }
     void read(const FileNode& fn) CV_OVERRIDE
@@ -230,7 +254,10 @@ public:
         parameters_ = p;
     }
     //! Never: the parameters are always complete. (Algorithm::load gives up on what is empty after read.)
-    bool empty() const CV_OVERRIDE { return false; }
+    bool empty() const CV_OVERRIDE
+    {
+        return false;
+    }
     //! Frees the plan and the buffers; the parameters and the mask stay.
     void clear() CV_OVERRIDE
     {
@@ -240,10 +267,14 @@ public:
         spare_.buffer.release();
         activeBackend_ = -1;
     }
-    String getDefaultName() const CV_OVERRIDE { return "LineSpaceDetector"; }
+    String getDefaultName() const CV_OVERRIDE
+    {
+        return "LineSpaceDetector";
+    }
 
 private:
-    template <class Value> static void readInto(const FileNode& fn, const char* name, Value& value)
+    template<class Value>
+    static void readInto(const FileNode& fn, const char* name, Value& value)
     {
         const FileNode node = fn[name];
         if (node.empty())
@@ -272,7 +303,8 @@ private:
 
     const Level& levelOf(int level) const
     {
-        checkRange(level, 0, getLevelCount() - 1, "level", "0 to getLevelCount() - 1, of the last call");
+        checkRange(level, 0, getLevelCount() - 1, "level",
+                   "0 to getLevelCount() - 1, of the last call");
         return plan_->level(level);
     }
 
@@ -290,10 +322,11 @@ private:
         const double bytes = workingMemory(plan, parameters_.edgeWeights, level) + outputBytes;
         const double mebibytes = bytes / (1 << 20);
         if (mebibytes > parameters_.memoryLimit)
-            CV_Error_(Error::StsNoMem, ("edges of %d x %d pixels need %.0f MiB of memory: must be at most "
-                                        "memoryLimit = %d MiB",
-                                        plan.imageSize().width, plan.imageSize().height, mebibytes,
-                                        parameters_.memoryLimit));
+            CV_Error_(Error::StsNoMem,
+                      ("edges of %d x %d pixels need %.0f MiB of memory: must be at most "
+                       "memoryLimit = %d MiB",
+                       plan.imageSize().width, plan.imageSize().height, mebibytes,
+                       parameters_.memoryLimit));
     }
 
     /** Counts the votes of a level (-1: the last one) into result_. All that can be wrong with the arguments is
@@ -303,23 +336,27 @@ private:
         const Mat image = input.getMat();
         checkImage(image, "edges");
         if (!mask_.empty() && mask_.size() != image.size())
-            CV_Error_(Error::StsUnmatchedSizes, ("mask has %d x %d pixels: must have the %d x %d of edges", mask_.cols,
-                                                 mask_.rows, image.cols, image.rows));
+            CV_Error_(Error::StsUnmatchedSizes,
+                      ("mask has %d x %d pixels: must have the %d x %d of edges", mask_.cols,
+                       mask_.rows, image.cols, image.rows));
         // Border points are numbered by int.
         if ((int64)image.cols + image.rows > (1 << 28))
-            CV_Error_(Error::StsOutOfRange, ("edges has %d x %d pixels: width + height must be at most 2^28",
-                                             image.cols, image.rows));
+            CV_Error_(Error::StsOutOfRange,
+                      ("edges has %d x %d pixels: width + height must be at most 2^28", image.cols,
+                       image.rows));
         const Ptr<const Plan> plan = planFor(image.size());
         if (level < 0)
             level = plan->levelCount() - 1;
-        checkRange(level, 0, plan->levelCount() - 1, "level", "less than the number of levels of this image size");
+        checkRange(level, 0, plan->levelCount() - 1, "level",
+                   "less than the number of levels of this image size");
         const double outputBytes = writesTable ? tableBytes(plan->level(level), image.size()) : 0;
         checkMemory(*plan, level, outputBytes);
         const Ptr<Executor> executor = executorFor(parameters_.backend, executor_);
 
         edges.weighted = parameters_.edgeWeights;
         edges.votes = votingPixels(image);
-        countVotes(*executor, edges, *plan, parameters_.method == METHOD_EXACT, level, spare_, result_);
+        countVotes(*executor, edges, *plan, parameters_.method == METHOD_EXACT, level, spare_,
+                   result_);
         plan_ = plan;
         planMethod_ = parameters_.method;
         planCellSize_ = parameters_.cellSize;
@@ -345,7 +382,10 @@ private:
     }
 
     //! 1 where the image is not 0.
-    static void threshold(const Mat& image, Mat& votes) { cv::min(image, Scalar(1), votes); }
+    static void threshold(const Mat& image, Mat& votes)
+    {
+        cv::min(image, Scalar(1), votes);
+    }
 
     //! Bytes of a level's output; throws if an array cannot be so large.
     static double tableBytes(const Level& level, Size size)
@@ -354,7 +394,8 @@ private:
         const double columns = (double)level.grid.width * level.cell.borderCount();
         const double bytes = rows * columns * sizeof(int);
         if (bytes > INT_MAX)
-            CV_Error_(Error::StsNoMem, ("edges of %d x %d pixels have a table of %.0f x %.0f votes, %.0f MiB: must be at most "
+            CV_Error_(Error::StsNoMem, ("edges of %d x %d pixels have a table of %.0f x %.0f "
+                                        "votes, %.0f MiB: must be at most "
                                         "2047 MiB; use detect, or a smaller edge map",
                                         size.width, size.height, rows, columns, bytes / (1 << 20)));
         return bytes;
@@ -363,8 +404,8 @@ private:
     void writeLevel(InputArray edges, int level, OutputArray out)
     {
         if (out.fixedType() && out.type() != CV_32SC1)
-            CV_Error_(Error::StsUnsupportedFormat,
-                      ("the output has type %s: must be CV_32SC1", typeToString(out.type()).c_str()));
+            CV_Error_(Error::StsUnsupportedFormat, ("the output has type %s: must be CV_32SC1",
+                                                    typeToString(out.type()).c_str()));
         EdgeMap map;
         const Ptr<const Plan> plan = count(edges, level, map, true);
         const int l = level < 0 ? plan->levelCount() - 1 : level;
@@ -375,7 +416,8 @@ private:
         Mat table(shape.grid.height * points, shape.grid.width * points, CV_32SC1);
         for (int r = 0; r < shape.grid.height; ++r)
             for (int c = 0; c < shape.grid.width; ++c)
-                writeCell(result_, shape.cell, rowBits[r] + columnBits[c], table(Rect(c * points, r * points, points, points)));
+                writeCell(result_, shape.cell, rowBits[r] + columnBits[c],
+                          table(Rect(c * points, r * points, points, points)));
         if (out.fixedSize() || out.isUMat())
             table.copyTo(out);
         else
@@ -414,23 +456,32 @@ private:
         const bool exact = parameters_.method == METHOD_EXACT;
         const double ratio = exact ? 1 : parameters_.candidateRatio;
         std::vector<Candidate> candidates =
-            findCandidates(result_, frame, cvFloor(ratio * requirement.threshold), parameters_.suppression,
-                           parameters_.suppressionRadius);
-        removeIf(candidates, [&](const Candidate& candidate) {
-            Line line = lineOf(frame, candidate.chord());
-            return !requirement.canBeMet(plan, candidate, ratio) || !angles.represent(line);
-        });
+            findCandidates(result_, frame, cvFloor(ratio * requirement.threshold),
+                           parameters_.suppression, parameters_.suppressionRadius);
+        removeIf(candidates,
+                 [&](const Candidate& candidate)
+                 {
+                     Line line = lineOf(frame, candidate.chord());
+                     return !requirement.canBeMet(plan, candidate, ratio) ||
+                            !angles.represent(line);
+                 });
         if (!exact)
         {
             if (parameters_.maxLines > 0)
-                keepStrongest(candidates, (size_t)std::max<int64>(parameters_.poolSize, 16 * (int64)parameters_.maxLines));
+                keepStrongest(candidates,
+                              (size_t)std::max<int64>(parameters_.poolSize,
+                                                      16 * (int64)parameters_.maxLines));
             rescore(edges, plan, candidates);
         }
-        removeIf(candidates,
-                 [&](const Candidate& candidate) { return !requirement.isMet(edges, plan, candidate); });
-        const size_t most = parameters_.maxLines > 0 ? (size_t)parameters_.maxLines : candidates.size();
+        removeIf(candidates, [&](const Candidate& candidate)
+                 { return !requirement.isMet(edges, plan, candidate); });
+        const size_t most =
+            parameters_.maxLines > 0 ? (size_t)parameters_.maxLines : candidates.size();
         const double distance = parameters_.suppressionDistance;
-        const Refinement refine = [&](const Line& line) { return refined(edges, angles, line); };
+        const Refinement refine = [&](const Line& line)
+        {
+            return refined(edges, angles, line);
+        };
         const std::vector<Selected> chosen =
             parameters_.selection == SELECT_EXPLAIN
                 ? selectExplaining(edges, plan, requirement, candidates, refine, distance, most)
@@ -455,9 +506,11 @@ private:
         return angles.represent(inInterval) ? result : line;
     }
 
-    template <class Predicate> static void removeIf(std::vector<Candidate>& candidates, Predicate predicate)
+    template<class Predicate>
+    static void removeIf(std::vector<Candidate>& candidates, Predicate predicate)
     {
-        candidates.erase(std::remove_if(candidates.begin(), candidates.end(), predicate), candidates.end());
+        candidates.erase(std::remove_if(candidates.begin(), candidates.end(), predicate),
+                         candidates.end());
     }
 
     void rescore(const EdgeMap& edges, const Plan& plan, std::vector<Candidate>& candidates)
@@ -482,7 +535,8 @@ private:
 
 } // namespace
 
-Ptr<LineSpaceDetector> LineSpaceDetector::create(int threshold, int maxLines, int method, int cellSize, int backend)
+Ptr<LineSpaceDetector> LineSpaceDetector::create(int threshold, int maxLines, int method,
+                                                 int cellSize, int backend)
 {
     Parameters parameters;
     parameters.threshold = threshold;

@@ -31,7 +31,7 @@ inline int nearestSmall(float value)
 }
 
 const int MOST_SMALL = (1 << 22) - 2;
-const double MOST_DISTANCE = 1 << 30; // cv::HoughLines overflows there
+const double MOST_DISTANCE = 1 << 30;  // cv::HoughLines overflows there
 const double MOST_LINES = 4294967296.; // cv::HoughLines would need 16 GiB for as many
 
 } // namespace
@@ -43,10 +43,13 @@ int HoughGrid::nearest(float value) const
 
 bool HoughGrid::isAxisParallel(int angle) const
 {
-    return std::min(std::abs(cosines[angle]), std::abs(sines[angle])) * std::max(image.width, image.height) < 1e-4f;
+    return std::min(std::abs(cosines[angle]), std::abs(sines[angle])) *
+               std::max(image.width, image.height) <
+           1e-4f;
 }
 
-HoughGrid::HoughGrid(Size imageSize, double rhoStep, double thetaStep, double minTheta, double maxTheta)
+HoughGrid::HoughGrid(Size imageSize, double rhoStep, double thetaStep, double minTheta,
+                     double maxTheta)
     : rho(rhoStep), angles(0), mostDistance(0), wraps(false), image(imageSize)
 {
     if (!(rho > 0))
@@ -54,27 +57,34 @@ HoughGrid::HoughGrid(Size imageSize, double rhoStep, double thetaStep, double mi
     if (!(thetaStep > 0))
         CV_Error_(Error::StsOutOfRange, ("theta = %.15g: must be more than 0 radians", thetaStep));
     if (!(std::abs(minTheta) < HUGE_VAL) || !(std::abs(maxTheta) < HUGE_VAL) || minTheta > maxTheta)
-        CV_Error_(Error::StsOutOfRange, ("min_theta = %.15g, max_theta = %.15g: must be finite, and min_theta not larger "
-                                         "than max_theta",
-                                         minTheta, maxTheta));
+        CV_Error_(Error::StsOutOfRange,
+                  ("min_theta = %.15g, max_theta = %.15g: must be finite, and min_theta not larger "
+                   "than max_theta",
+                   minTheta, maxTheta));
     interval.min = minTheta;
     interval.max = maxTheta;
     // As many angles as fit between the ends, both included, but none twice: half a turn is the same line.
     const double turn = std::max(1., std::floor(CV_PI / thetaStep + 0.5));
     const double count = std::min(turn, std::floor((maxTheta - minTheta) / thetaStep + 1e-6) + 1);
-    const double reach = std::ceil(std::sqrt((double)image.width * image.width + (double)image.height * image.height) / rho) + 1;
+    const double reach = std::ceil(std::sqrt((double)image.width * image.width +
+                                             (double)image.height * image.height) /
+                                   rho) +
+                         1;
     if (reach > MOST_DISTANCE)
-        CV_Error_(Error::StsNoMem, ("rho = %g: this image has %.0f distances of this size, must be at most %.0f", rho,
-                                    reach, MOST_DISTANCE));
+        CV_Error_(Error::StsNoMem,
+                  ("rho = %g: this image has %.0f distances of this size, must be at most %.0f",
+                   rho, reach, MOST_DISTANCE));
     if (count * (2 * reach + 3) > MOST_LINES)
-        CV_Error_(Error::StsNoMem, ("rho = %g, theta = %g: the image has %.0f lines at this resolution, must be at most 2^32",
+        CV_Error_(Error::StsNoMem, ("rho = %g, theta = %g: the image has %.0f lines at this "
+                                    "resolution, must be at most 2^32",
                                     rho, thetaStep, count * (2 * reach + 3)));
     angles = (int)count;
     mostDistance = (int)reach;
     wraps = angles > 1 && CV_PI - (angles - 1) * thetaStep <= thetaStep * (1 + 1e-6);
     for (int j = 0; j < angles; ++j)
     {
-        const double theta = j == 0 ? minTheta : minTheta + j * thetaStep; // thetaStep may be infinite
+        const double theta =
+            j == 0 ? minTheta : minTheta + j * thetaStep; // thetaStep may be infinite
         thetas.push_back(theta);
         cosines.push_back((float)(std::cos(theta) / rho));
         sines.push_back((float)(std::sin(theta) / rho));
@@ -120,7 +130,10 @@ EdgePixels::EdgePixels(const EdgeMap& edgeMap) : edges(&edgeMap)
     }
 }
 
-BandCounter::BandCounter(const EdgePixels& pixels, const HoughGrid& grid) : pixels_(pixels), grid_(grid) {}
+BandCounter::BandCounter(const EdgePixels& pixels, const HoughGrid& grid)
+    : pixels_(pixels), grid_(grid)
+{
+}
 
 void BandCounter::count(int angle, const std::vector<int>& distances, std::vector<int>& votes)
 {
@@ -129,7 +142,8 @@ void BandCounter::count(int angle, const std::vector<int>& distances, std::vecto
         return;
     // A line costs a test of each pixel across its band and one on either side of it, for each of its steps; such
     // a test takes about as long as a pixel of the histogram.
-    const double steps = (double)distances.size() * std::max(grid_.image.width, grid_.image.height) * (grid_.rho + 2);
+    const double steps = (double)distances.size() *
+                         std::max(grid_.image.width, grid_.image.height) * (grid_.rho + 2);
     if (steps < pixels_.count())
     {
         for (size_t k = 0; k < distances.size(); ++k)
@@ -143,7 +157,10 @@ void BandCounter::count(int angle, const std::vector<int>& distances, std::vecto
 
 void BandCounter::countAll(int angle)
 {
-    enum { RUN = 256 };
+    enum
+    {
+        RUN = 256
+    };
     int indices[RUN];
     const float c = grid_.cosines[angle], s = grid_.sines[angle];
     histogram_.assign(2 * grid_.mostDistance + 1, 0);
@@ -189,7 +206,8 @@ int BandCounter::countLine(int angle, int distance) const
     const float major = xMajor ? c : s, minor = xMajor ? s : c;
     const int length = xMajor ? map.cols : map.rows, limit = xMajor ? map.rows : map.cols;
     // Somewhat wider than the band: the expression above decides.
-    const float half = (0.5f + 1e-3f * (1 + std::abs((float)distance) * 1e-3f)) / std::abs(minor) + 1e-3f;
+    const float half =
+        (0.5f + 1e-3f * (1 + std::abs((float)distance) * 1e-3f)) / std::abs(minor) + 1e-3f;
     const size_t majorStep = xMajor ? 1 : map.step, minorStep = xMajor ? map.step : 1;
     int sum = 0;
     for (int i = 0; i < length; ++i)
@@ -197,15 +215,18 @@ int BandCounter::countLine(int angle, int distance) const
         const float centre = (distance - i * major) / minor;
         if (!(centre > -half - 1 && centre < limit + half))
             continue;
-        const int first = std::max(0, cvCeil(centre - half)), last = std::min(limit - 1, cvFloor(centre + half));
+        const int first = std::max(0, cvCeil(centre - half)),
+                  last = std::min(limit - 1, cvFloor(centre + half));
         const uchar* pixel = map.data + i * majorStep + first * minorStep;
         for (int k = first; k <= last; ++k, pixel += minorStep)
         {
             if (!*pixel)
                 continue;
-            const float at = xMajor ? position((float)i, (float)k, c, s) : position((float)k, (float)i, c, s);
-            const bool votes = axisParallel ? cvCeil(at - 0.5f) == distance || cvFloor(at + 0.5f) == distance
-                                            : grid_.nearest(at) == distance;
+            const float at =
+                xMajor ? position((float)i, (float)k, c, s) : position((float)k, (float)i, c, s);
+            const bool votes = axisParallel
+                                   ? cvCeil(at - 0.5f) == distance || cvFloor(at + 0.5f) == distance
+                                   : grid_.nearest(at) == distance;
             if (votes)
                 sum += *pixel;
         }
@@ -230,7 +251,10 @@ struct BorderCrossing
     int side, first, last; //!< border points of the side
     double offset, slope;
 
-    int pointAt(double rho) const { return std::min(std::max((int)(offset + slope * rho), first), last); }
+    int pointAt(double rho) const
+    {
+        return std::min(std::max((int)(offset + slope * rho), first), last);
+    }
 };
 
 //! Crossings of the lines of one normal with a side of the frame, rho and coordinates relative to its corner.
@@ -263,8 +287,9 @@ BorderCrossing crossingWith(const Cell& frame, int side, double c, double s)
 }
 
 //! The most votes among the chords of s and e and their neighbours on the same sides.
-template <class Votes>
-int mostVotesNear(const Votes* table, const Cell& frame, const BorderCrossing& from, const BorderCrossing& to, double rho)
+template<class Votes>
+int mostVotesNear(const Votes* table, const Cell& frame, const BorderCrossing& from,
+                  const BorderCrossing& to, double rho)
 {
     const int s = from.pointAt(rho), e = to.pointAt(rho);
     const int s0 = std::max(s - 1, from.first), s1 = std::min(s + 1, from.last);
@@ -274,19 +299,21 @@ int mostVotesNear(const Votes* table, const Cell& frame, const BorderCrossing& f
     const int firstPartner = frame.firstPartner(from.side);
     Votes most = 0;
     for (int p = s0; p <= s1; ++p, row += rowLength)
-        most = std::max(most, std::max(row[e - firstPartner], std::max(row[e0 - firstPartner], row[e1 - firstPartner])));
+        most = std::max(most, std::max(row[e - firstPartner],
+                                       std::max(row[e0 - firstPartner], row[e1 - firstPartner])));
     return (int)most;
 }
 
-template <class Votes>
-void supportedDistancesOf(const VoteTable& table, const Cell& frame, const HoughGrid& grid, int angle, int needed,
-                          std::vector<int>& distances)
+template<class Votes>
+void supportedDistancesOf(const VoteTable& table, const Cell& frame, const HoughGrid& grid,
+                          int angle, int needed, std::vector<int>& distances)
 {
     const Votes* votes = table.ptr<Votes>();
     const double c = std::cos(grid.thetas[angle]), s = std::sin(grid.thetas[angle]);
     // Samples a pixel apart at most: `samples` per line, the line's own in their middle.
     const int samples = std::max(1, cvCeil(grid.rho));
-    const double spacing = grid.rho / samples, shift = 0.5 * (c + s) - 0.5 * (samples - 1) * spacing;
+    const double spacing = grid.rho / samples,
+                 shift = 0.5 * (c + s) - 0.5 * (samples - 1) * spacing;
     int first, last;
     grid.distanceRange(angle, first, last);
     std::vector<int> support((size_t)(last - first + 1), 0);
@@ -295,8 +322,10 @@ void supportedDistancesOf(const VoteTable& table, const Cell& frame, const Hough
     const double w = frame.width, h = frame.height;
     double corners[4] = {0, w * c, h * s, w * c + h * s};
     std::sort(corners, corners + 4);
-    const double low[4] = {std::min(0., w * c), std::min(w * c, w * c + h * s), std::min(h * s, w * c + h * s), std::min(0., h * s)};
-    const double high[4] = {std::max(0., w * c), std::max(w * c, w * c + h * s), std::max(h * s, w * c + h * s), std::max(0., h * s)};
+    const double low[4] = {std::min(0., w * c), std::min(w * c, w * c + h * s),
+                           std::min(h * s, w * c + h * s), std::min(0., h * s)};
+    const double high[4] = {std::max(0., w * c), std::max(w * c, w * c + h * s),
+                            std::max(h * s, w * c + h * s), std::max(0., h * s)};
     for (int k = 0; k < 3; ++k)
     {
         if (corners[k + 1] - corners[k] < 1e-6)
@@ -308,12 +337,15 @@ void supportedDistancesOf(const VoteTable& table, const Cell& frame, const Hough
                 sides[n++] = side;
         if (n != 2) // the middle is a corner up to rounding
             continue;
-        const BorderCrossing from = crossingWith(frame, sides[0], c, s), to = crossingWith(frame, sides[1], c, s);
+        const BorderCrossing from = crossingWith(frame, sides[0], c, s),
+                             to = crossingWith(frame, sides[1], c, s);
         // Sample f of the angle is number f mod samples of line first + f / samples.
         const double start = first * grid.rho + shift;
         const double count = (double)support.size() * samples;
-        const double begin = std::min(count, std::max(0., std::ceil((corners[k] - start) / spacing)));
-        const double end = std::min(count, std::max(0., std::ceil((corners[k + 1] - start) / spacing)));
+        const double begin =
+            std::min(count, std::max(0., std::ceil((corners[k] - start) / spacing)));
+        const double end =
+            std::min(count, std::max(0., std::ceil((corners[k + 1] - start) / spacing)));
         int line = (int)(begin / samples), sample = (int)(begin - (double)line * samples);
         for (double f = begin; f < end; f += 1)
         {
@@ -333,8 +365,8 @@ void supportedDistancesOf(const VoteTable& table, const Cell& frame, const Hough
 
 } // namespace
 
-void supportedDistances(const VoteTable& table, const Cell& frame, const HoughGrid& grid, int angle, int needed,
-                        std::vector<int>& distances)
+void supportedDistances(const VoteTable& table, const Cell& frame, const HoughGrid& grid, int angle,
+                        int needed, std::vector<int>& distances)
 {
     // A band as wide as the image holds most pixels anyway.
     if (grid.rho >= std::max(grid.image.width, grid.image.height))

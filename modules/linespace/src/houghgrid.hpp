@@ -75,8 +75,8 @@ private:
 
 /** The lines of an angle whose nearest chords have at least `needed` votes in the table.
 For rho of more than a pixel, the votes of chords a pixel apart across the band are added up. */
-void supportedDistances(const VoteTable& table, const Cell& frame, const HoughGrid& grid, int angle, int needed,
-                        std::vector<int>& distances);
+void supportedDistances(const VoteTable& table, const Cell& frame, const HoughGrid& grid, int angle,
+                        int needed, std::vector<int>& distances);
 
 void allDistances(const HoughGrid& grid, int angle, std::vector<int>& distances);
 

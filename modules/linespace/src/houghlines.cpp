@@ -34,7 +34,9 @@ struct GridLine
 
 bool isStronger(const GridLine& a, const GridLine& b)
 {
-    return a.votes != b.votes ? a.votes > b.votes : a.angle != b.angle ? a.angle < b.angle : a.distance < b.distance;
+    return a.votes != b.votes   ? a.votes > b.votes
+           : a.angle != b.angle ? a.angle < b.angle
+                                : a.distance < b.distance;
 }
 
 //! The lines of the grid with more votes than the threshold that the Line Space does not rule out.
@@ -46,7 +48,8 @@ std::vector<GridLine> countedLines(const EdgeMap& edges, const HoughGrid& grid, 
     VoteTable table, spare;
     // To count the few pixels of a sparse map at every angle is cheaper than the last level of the cascade alone.
     const bool isSparse = (double)pixels.count() * grid.angles < plan->frame().chordCount();
-    const bool hasTable = !isSparse && workingMemory(*plan, edges.weighted, last) <= MOST_TABLE_BYTES;
+    const bool hasTable =
+        !isSparse && workingMemory(*plan, edges.weighted, last) <= MOST_TABLE_BYTES;
     if (hasTable)
     {
         const Ptr<Executor> executor = executorFor(BACKEND_AUTO, Ptr<Executor>());
@@ -54,25 +57,28 @@ std::vector<GridLine> countedLines(const EdgeMap& edges, const HoughGrid& grid, 
     }
     const int needed = std::max(1, cvFloor(CHORD_SHARE * threshold));
 
-    std::vector<std::vector<GridLine> > found(grid.angles);
-    parallel_for_(Range(0, grid.angles), [&](const Range& range) {
-        BandCounter counter(pixels, grid);
-        std::vector<int> distances, votes;
-        for (int angle = range.start; angle < range.end; ++angle)
-        {
-            if (hasTable)
-                supportedDistances(table, plan->frame(), grid, angle, needed, distances);
-            else
-                allDistances(grid, angle, distances);
-            counter.count(angle, distances, votes);
-            for (size_t i = 0; i < distances.size(); ++i)
-                if (votes[i] > threshold && votes[i] > 0)
-                {
-                    const GridLine line = {votes[i], angle, distances[i]};
-                    found[angle].push_back(line);
-                }
-        }
-    });
+    std::vector<std::vector<GridLine>> found(grid.angles);
+    parallel_for_(Range(0, grid.angles),
+                  [&](const Range& range)
+                  {
+                      BandCounter counter(pixels, grid);
+                      std::vector<int> distances, votes;
+                      for (int angle = range.start; angle < range.end; ++angle)
+                      {
+                          if (hasTable)
+                              supportedDistances(table, plan->frame(), grid, angle, needed,
+                                                 distances);
+                          else
+                              allDistances(grid, angle, distances);
+                          counter.count(angle, distances, votes);
+                          for (size_t i = 0; i < distances.size(); ++i)
+                              if (votes[i] > threshold && votes[i] > 0)
+                              {
+                                  const GridLine line = {votes[i], angle, distances[i]};
+                                  found[angle].push_back(line);
+                              }
+                      }
+                  });
     std::vector<GridLine> all;
     for (size_t i = 0; i < found.size(); ++i)
         all.insert(all.end(), found[i].begin(), found[i].end());
@@ -88,10 +94,12 @@ std::vector<GridLine> strongestOfCells(std::vector<GridLine>& lines, const Hough
     const int angleMargin = 2, distanceMargin = grid.mostDistance + 1;
     const size_t columns = 2 * (size_t)distanceMargin + 1;
     std::vector<uchar> taken(columns * (grid.angles + 2 * angleMargin), (uchar)0);
-    const auto at = [&](int angle, int distance) -> uchar& {
+    const auto at = [&](int angle, int distance) -> uchar&
+    {
         return taken[(angle + angleMargin) * columns + (distance + distanceMargin)];
     };
-    const auto take = [&](int angle, int distance) {
+    const auto take = [&](int angle, int distance)
+    {
         for (int a = angle - 1; a <= angle + 1; ++a)
             for (int d = distance - 1; d <= distance + 1; ++d)
                 at(a, d) = 1;
@@ -115,42 +123,48 @@ std::vector<GridLine> strongestOfCells(std::vector<GridLine>& lines, const Hough
 
 } // namespace
 
-void HoughLines(InputArray image, OutputArray lines, double rho, double theta, int threshold, double srn, double stn,
-                double min_theta, double max_theta, bool use_edgeval)
+void HoughLines(InputArray image, OutputArray lines, double rho, double theta, int threshold,
+                double srn, double stn, double min_theta, double max_theta, bool use_edgeval)
 {
     int type = CV_32FC2;
     if (lines.fixedType())
     {
         type = lines.type();
         if (type != CV_32FC2 && type != CV_32FC3)
-            CV_Error_(Error::StsUnsupportedFormat,
-                      ("lines has type %s: must be CV_32FC2 or CV_32FC3", typeToString(type).c_str()));
+            CV_Error_(
+                Error::StsUnsupportedFormat,
+                ("lines has type %s: must be CV_32FC2 or CV_32FC3", typeToString(type).c_str()));
     }
     const Mat source = image.getMat();
     if (source.type() != CV_8UC1)
         CV_Error_(Error::StsUnsupportedFormat,
                   ("image has type %s: must be CV_8UC1", typeToString(source.type()).c_str()));
     // As in cv::HoughLines, a negative step is an error unless it is so large that there is nothing to count.
-    const double distances = (2. * (source.cols + source.rows) + 1) / rho, angles = (max_theta - min_theta) / theta;
-    if ((rho < 0 && cvRound(distances) == 0) || (theta < 0 && rho != 0 && angles >= -0.5 && angles <= 0))
+    const double distances = (2. * (source.cols + source.rows) + 1) / rho,
+                 angles = (max_theta - min_theta) / theta;
+    if ((rho < 0 && cvRound(distances) == 0) ||
+        (theta < 0 && rho != 0 && angles >= -0.5 && angles <= 0))
     {
         lines.release();
         return;
     }
-    const HoughGrid grid(source.size(), rho / std::max(1., srn), theta / std::max(1., stn), min_theta, max_theta);
+    const HoughGrid grid(source.size(), rho / std::max(1., srn), theta / std::max(1., stn),
+                         min_theta, max_theta);
 
     std::vector<GridLine> found;
     if (!source.empty())
-        withMemoryFor("image", source.size(), [&]() {
-            EdgeMap edges;
-            edges.weighted = use_edgeval;
-            if (use_edgeval)
-                edges.votes = source.isContinuous() ? source : source.clone();
-            else
-                cv::min(source, Scalar(1), edges.votes);
-            std::vector<GridLine> counted = countedLines(edges, grid, threshold);
-            found = strongestOfCells(counted, grid);
-        });
+        withMemoryFor("image", source.size(),
+                      [&]()
+                      {
+                          EdgeMap edges;
+                          edges.weighted = use_edgeval;
+                          if (use_edgeval)
+                              edges.votes = source.isContinuous() ? source : source.clone();
+                          else
+                              cv::min(source, Scalar(1), edges.votes);
+                          std::vector<GridLine> counted = countedLines(edges, grid, threshold);
+                          found = strongestOfCells(counted, grid);
+                      });
     if (found.empty())
     {
         lines.release();

@@ -43,7 +43,8 @@ bool clipLine(double cosine, double sine, double rho, Size image, Ends& ends)
                 return false;
             continue;
         }
-        double a = (low[axis] - start[axis]) / direction[axis], b = (high[axis] - start[axis]) / direction[axis];
+        double a = (low[axis] - start[axis]) / direction[axis],
+               b = (high[axis] - start[axis]) / direction[axis];
         if (a > b)
             std::swap(a, b);
         t0 = std::max(t0, a);
@@ -58,7 +59,8 @@ bool clipLine(double cosine, double sine, double rho, Size image, Ends& ends)
         points[i]->x = std::min(std::max(start[0] + t[i] * direction[0], low[0]), high[0]);
         points[i]->y = std::min(std::max(start[1] + t[i] * direction[1], low[1]), high[1]);
     }
-    if (ends.second.x < ends.first.x || (ends.second.x == ends.first.x && ends.second.y < ends.first.y))
+    if (ends.second.x < ends.first.x ||
+        (ends.second.x == ends.first.x && ends.second.y < ends.first.y))
         std::swap(ends.first, ends.second);
     return true;
 }
@@ -97,7 +99,9 @@ Vec2f AngleInterval::round(const Line& line) const
 
 LineIndex::LineIndex(Size image, double distance)
     : centre_(0.5 * image.width - 0.5, 0.5 * image.height - 0.5), distance_(distance),
-      radius_(0.5 * std::sqrt((double)image.width * image.width + (double)image.height * image.height) + 1)
+      radius_(
+          0.5 * std::sqrt((double)image.width * image.width + (double)image.height * image.height) +
+          1)
 {
     distanceStep_ = std::max(4., radius_ / 128);
     distanceBins_ = (int)(2 * radius_ / distanceStep_) + 1;
@@ -128,7 +132,8 @@ bool LineIndex::hasNear(const Line& line, const Ends& ends) const
         return false;
     // A line within the distance of both ends makes at most this angle with the line between them, and passes
     // the middle between them at most at the distance.
-    const Point2d along = ends.second - ends.first, middle = (ends.first + ends.second) * 0.5 - centre_;
+    const Point2d along = ends.second - ends.first,
+                  middle = (ends.first + ends.second) * 0.5 - centre_;
     const double length = std::sqrt(along.dot(along));
     const double spread = length > 2 * distance_ ? std::asin(2 * distance_ / length) : CV_PI;
     const double binWidth = CV_PI / ANGLE_BINS;
@@ -147,8 +152,10 @@ bool LineIndex::hasNear(const Line& line, const Ends& ends) const
             for (size_t i = 0; i < entries.size(); ++i)
             {
                 const Entry& other = entries[i];
-                if (std::abs(other.cosine * ends.first.x + other.sine * ends.first.y - other.rho) <= distance_ &&
-                    std::abs(other.cosine * ends.second.x + other.sine * ends.second.y - other.rho) <= distance_)
+                if (std::abs(other.cosine * ends.first.x + other.sine * ends.first.y - other.rho) <=
+                        distance_ &&
+                    std::abs(other.cosine * ends.second.x + other.sine * ends.second.y -
+                             other.rho) <= distance_)
                     return true;
             }
         }

@@ -39,7 +39,10 @@ struct AngleInterval
     bool isFull() const { return max - min >= CV_PI; }
     //! Writes the line with its angle in the interval; false if there is none.
     bool represent(Line& line) const;
-    bool contains(double theta) const { return theta >= min && (isFull() ? theta < min + CV_PI : theta <= max); }
+    bool contains(double theta) const
+    {
+        return theta >= min && (isFull() ? theta < min + CV_PI : theta <= max);
+    }
     /** (rho, theta) as floats, theta in the interval after rounding as well, unless no float is. For lines from
     represent(). */
     Vec2f round(const Line& line) const;
@@ -60,14 +63,20 @@ private:
     {
         double cosine, sine, rho;
     };
-    enum { ANGLE_BINS = 256 };
+    enum
+    {
+        ANGLE_BINS = 256
+    };
     int distanceBin(double distance) const;
-    const std::vector<Entry>& bin(int angle, int distance) const { return bins_[angle * distanceBins_ + distance]; }
+    const std::vector<Entry>& bin(int angle, int distance) const
+    {
+        return bins_[angle * distanceBins_ + distance];
+    }
 
     Point2d centre_;
     double distance_, radius_, distanceStep_;
     int distanceBins_;
-    std::vector<std::vector<Entry> > bins_;
+    std::vector<std::vector<Entry>> bins_;
 };
 
 } // namespace linespace

@@ -24,14 +24,17 @@ std::vector<Vec2f> polarLines(InputArray lines)
         return result;
     const Mat array = lines.getMat();
     const int type = array.type();
-    if ((type != CV_32FC2 && type != CV_32FC3) || array.dims != 2 || (array.cols != 1 && array.rows != 1))
-        CV_Error_(Error::StsUnsupportedFormat,
-                  ("lines has %d x %d elements of type %s: must be N x 1 or 1 x N, CV_32FC2 or CV_32FC3", array.rows,
-                   array.cols, typeToString(type).c_str()));
+    if ((type != CV_32FC2 && type != CV_32FC3) || array.dims != 2 ||
+        (array.cols != 1 && array.rows != 1))
+        CV_Error_(
+            Error::StsUnsupportedFormat,
+            ("lines has %d x %d elements of type %s: must be N x 1 or 1 x N, CV_32FC2 or CV_32FC3",
+             array.rows, array.cols, typeToString(type).c_str()));
     result.resize(array.total());
     for (int i = 0; i < (int)result.size(); ++i)
     {
-        const float* line = array.cols == 1 ? array.ptr<float>(i) : array.ptr<float>(0) + i * array.channels();
+        const float* line =
+            array.cols == 1 ? array.ptr<float>(i) : array.ptr<float>(0) + i * array.channels();
         result[i] = Vec2f(line[0], line[1]);
     }
     return result;
@@ -42,10 +45,11 @@ std::vector<Vec2f> polarLines(InputArray lines)
 void lineEndPoints(InputArray lines, Size imageSize, OutputArray endPoints)
 {
     if (imageSize.width < 1 || imageSize.height < 1)
-        CV_Error_(Error::StsOutOfRange, ("imageSize = %d x %d: must be at least 1 x 1", imageSize.width, imageSize.height));
+        CV_Error_(Error::StsOutOfRange, ("imageSize = %d x %d: must be at least 1 x 1",
+                                         imageSize.width, imageSize.height));
     if (endPoints.fixedType() && endPoints.type() != CV_32FC4)
-        CV_Error_(Error::StsUnsupportedFormat,
-                  ("endPoints has type %s: must be CV_32FC4", typeToString(endPoints.type()).c_str()));
+        CV_Error_(Error::StsUnsupportedFormat, ("endPoints has type %s: must be CV_32FC4",
+                                                typeToString(endPoints.type()).c_str()));
     const std::vector<Vec2f> polar = polarLines(lines);
     if (polar.empty())
     {
@@ -58,9 +62,11 @@ void lineEndPoints(InputArray lines, Size imageSize, OutputArray endPoints)
         const float nan = std::numeric_limits<float>::quiet_NaN();
         const double theta = polar[i][1];
         Ends ends;
-        points.at<Vec4f>(i) = clipLine(std::cos(theta), std::sin(theta), polar[i][0], imageSize, ends)
-                                  ? Vec4f((float)ends.first.x, (float)ends.first.y, (float)ends.second.x, (float)ends.second.y)
-                                  : Vec4f(nan, nan, nan, nan);
+        points.at<Vec4f>(i) =
+            clipLine(std::cos(theta), std::sin(theta), polar[i][0], imageSize, ends)
+                ? Vec4f((float)ends.first.x, (float)ends.first.y, (float)ends.second.x,
+                        (float)ends.second.y)
+                : Vec4f(nan, nan, nan, nan);
     }
     points.copyTo(endPoints);
 }
@@ -70,7 +76,8 @@ void drawLines(InputOutputArray image, InputArray lines, const Scalar& color, in
     const int type = image.type();
     if (image.empty() || (type != CV_8UC1 && type != CV_8UC3 && type != CV_8UC4))
         CV_Error_(Error::StsUnsupportedFormat,
-                  ("image has type %s: must be CV_8UC1, CV_8UC3 or CV_8UC4 and not empty", typeToString(type).c_str()));
+                  ("image has type %s: must be CV_8UC1, CV_8UC3 or CV_8UC4 and not empty",
+                   typeToString(type).c_str()));
     if (thickness < 1 || thickness > 32767)
         CV_Error_(Error::StsOutOfRange, ("thickness = %d: must be 1 to 32767 pixels", thickness));
     Mat ends;
@@ -82,8 +89,8 @@ void drawLines(InputOutputArray image, InputArray lines, const Scalar& color, in
         if (cvIsNaN(p[0]))
             continue;
         const double scale = 1 << shift;
-        line(image, Point(cvRound(p[0] * scale), cvRound(p[1] * scale)), Point(cvRound(p[2] * scale), cvRound(p[3] * scale)),
-             color, thickness, LINE_AA, shift);
+        line(image, Point(cvRound(p[0] * scale), cvRound(p[1] * scale)),
+             Point(cvRound(p[2] * scale), cvRound(p[3] * scale)), color, thickness, LINE_AA, shift);
     }
 }
 

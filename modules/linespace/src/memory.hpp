@@ -52,7 +52,8 @@ private:
 };
 
 //! Runs work() and turns a failed allocation into a cv::Exception that names the image `name` and its size.
-template <class Work> void withMemoryFor(const char* name, Size size, Work work)
+template<class Work>
+void withMemoryFor(const char* name, Size size, Work work)
 {
     bool failed = false;
     try
@@ -71,8 +72,9 @@ template <class Work> void withMemoryFor(const char* name, Size size, Work work)
         failed = true;
     }
     if (failed)
-        CV_Error_(Error::StsNoMem, ("%s has %d x %d pixels: there is not enough memory for it, it must be smaller", name,
-                                    size.width, size.height));
+        CV_Error_(Error::StsNoMem,
+                  ("%s has %d x %d pixels: there is not enough memory for it, it must be smaller",
+                   name, size.width, size.height));
 }
 
 } // namespace linespace

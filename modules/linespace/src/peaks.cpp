@@ -10,13 +10,17 @@ namespace linespace {
 namespace {
 
 //! The table as a function on the ring of border points: any two of them, in either order.
-template <class Votes> struct RingTable
+template<class Votes>
+struct RingTable
 {
     const Votes* votes;
     Cell frame;
     int borderCount;
 
-    int wrap(int p) const { return p < 0 ? p + borderCount : p >= borderCount ? p - borderCount : p; }
+    int wrap(int p) const
+    {
+        return p < 0 ? p + borderCount : p >= borderCount ? p - borderCount : p;
+    }
 
     //! The entry of two border points; pairs on one side have no votes.
     Candidate at(int p, int q) const
@@ -58,7 +62,8 @@ template <class Votes> struct RingTable
             if (i > 0 && earlier[0] >= value)
                 return false;
             for (int j = 1; j <= radius; ++j)
-                if (earlier[-j] >= value || later[j] > value || (i > 0 ? earlier[j] >= value || later[-j] > value : false))
+                if (earlier[-j] >= value || later[j] > value ||
+                    (i > 0 ? earlier[j] >= value || later[-j] > value : false))
                     return false;
             if (later[0] > value)
                 return false;
@@ -69,10 +74,13 @@ template <class Votes> struct RingTable
 
 /** Calls visit(s, e, pointer to the entry) for all chords of rows [begin, end) with more than `threshold`
 votes. Most stretches of a table have none: they are passed over by their maximum. */
-template <class Votes, class Visit>
+template<class Votes, class Visit>
 void forEachAbove(const RingTable<Votes>& table, int begin, int end, int threshold, Visit visit)
 {
-    enum { STRETCH = 64 };
+    enum
+    {
+        STRETCH = 64
+    };
     for (int s = begin; s < end; ++s)
     {
         const int side = table.frame.sideOf(s), length = table.frame.rowLength(side);
@@ -97,74 +105,97 @@ const int ROWS_PER_TASK = 32;
 
 /** Collects candidates of blocks of rows in parallel and joins them in the order of the rows.
 collect(begin, end, candidates) appends those of rows [begin, end). */
-template <class Collect> std::vector<Candidate> collectByRows(int rows, int rowsPerTask, Collect collect)
+template<class Collect>
+std::vector<Candidate> collectByRows(int rows, int rowsPerTask, Collect collect)
 {
     const int tasks = (rows + rowsPerTask - 1) / rowsPerTask;
-    std::vector<std::vector<Candidate> > parts(tasks);
-    parallel_for_(Range(0, tasks), [&](const Range& range) {
-        for (int task = range.start; task < range.end; ++task)
-            collect(task * rowsPerTask, std::min(rows, (task + 1) * rowsPerTask), parts[task]);
-    });
+    std::vector<std::vector<Candidate>> parts(tasks);
+    parallel_for_(Range(0, tasks),
+                  [&](const Range& range)
+                  {
+                      for (int task = range.start; task < range.end; ++task)
+                          collect(task * rowsPerTask, std::min(rows, (task + 1) * rowsPerTask),
+                                  parts[task]);
+                  });
     std::vector<Candidate> all;
     for (size_t i = 0; i < parts.size(); ++i)
         all.insert(all.end(), parts[i].begin(), parts[i].end());
     return all;
 }
 
-template <class Votes>
-std::vector<Candidate> ringMaxima(const RingTable<Votes>& table, int rows, int threshold, int radius)
+template<class Votes>
+std::vector<Candidate> ringMaxima(const RingTable<Votes>& table, int rows, int threshold,
+                                  int radius)
 {
-    return collectByRows(rows, ROWS_PER_TASK, [&](int begin, int end, std::vector<Candidate>& found) {
-        int row = -1, rowLength = 0;
-        Range inner;
-        forEachAbove(table, begin, end, threshold, [&](int s, int e, const Votes* entry) {
-            if (s != row)
-            {
-                row = s;
-                rowLength = table.frame.rowLength(table.frame.sideOf(s));
-                inner = table.innerEnds(s, radius);
-            }
-            const Candidate candidate = {(int)*entry, s, e};
-            const bool maximum = e >= inner.start && e < inner.end ? table.isInnerMaximum(entry, rowLength, radius)
-                                                                    : table.isRingMaximum(candidate, radius);
-            if (maximum)
-                found.push_back(candidate);
-        });
-    });
+    return collectByRows(rows, ROWS_PER_TASK,
+                         [&](int begin, int end, std::vector<Candidate>& found)
+                         {
+                             int row = -1, rowLength = 0;
+                             Range inner;
+                             forEachAbove(
+                                 table, begin, end, threshold,
+                                 [&](int s, int e, const Votes* entry)
+                                 {
+                                     if (s != row)
+                                     {
+                                         row = s;
+                                         rowLength = table.frame.rowLength(table.frame.sideOf(s));
+                                         inner = table.innerEnds(s, radius);
+                                     }
+                                     const Candidate candidate = {(int)*entry, s, e};
+                                     const bool maximum =
+                                         e >= inner.start && e < inner.end
+                                             ? table.isInnerMaximum(entry, rowLength, radius)
+                                             : table.isRingMaximum(candidate, radius);
+                                     if (maximum)
+                                         found.push_back(candidate);
+                                 });
+                         });
 }
 
-template <class Votes>
-std::vector<Candidate> blockMaxima(const RingTable<Votes>& table, int rows, int threshold, int radius)
+template<class Votes>
+std::vector<Candidate> blockMaxima(const RingTable<Votes>& table, int rows, int threshold,
+                                   int radius)
 {
     int block = 1;
     while (block < 2 * radius + 1)
         block *= 2;
-    return collectByRows(rows, block, [&](int begin, int end, std::vector<Candidate>& found) {
-        std::vector<Candidate> best(table.borderCount / block + 1);
-        for (size_t i = 0; i < best.size(); ++i)
-            best[i].votes = threshold; // nobody yet
-        forEachAbove(table, begin, end, threshold, [&](int s, int e, const Votes* entry) {
-            const Candidate candidate = {(int)*entry, s, e};
-            Candidate& strongest = best[e / block];
-            if (strongest.votes == threshold || isStronger(candidate, strongest))
-                strongest = candidate;
-        });
-        for (size_t i = 0; i < best.size(); ++i)
-            if (best[i].votes > threshold)
-                found.push_back(best[i]);
-    });
+    return collectByRows(rows, block,
+                         [&](int begin, int end, std::vector<Candidate>& found)
+                         {
+                             std::vector<Candidate> best(table.borderCount / block + 1);
+                             for (size_t i = 0; i < best.size(); ++i)
+                                 best[i].votes = threshold; // nobody yet
+                             forEachAbove(table, begin, end, threshold,
+                                          [&](int s, int e, const Votes* entry)
+                                          {
+                                              const Candidate candidate = {(int)*entry, s, e};
+                                              Candidate& strongest = best[e / block];
+                                              if (strongest.votes == threshold ||
+                                                  isStronger(candidate, strongest))
+                                                  strongest = candidate;
+                                          });
+                             for (size_t i = 0; i < best.size(); ++i)
+                                 if (best[i].votes > threshold)
+                                     found.push_back(best[i]);
+                         });
 }
 
-template <class Votes>
-std::vector<Candidate> greedyMaxima(const RingTable<Votes>& table, int rows, int threshold, int radius)
+template<class Votes>
+std::vector<Candidate> greedyMaxima(const RingTable<Votes>& table, int rows, int threshold,
+                                    int radius)
 {
     std::vector<Candidate> all =
-        collectByRows(rows, ROWS_PER_TASK, [&](int begin, int end, std::vector<Candidate>& found) {
-            forEachAbove(table, begin, end, threshold, [&](int s, int e, const Votes* entry) {
-                const Candidate candidate = {(int)*entry, s, e};
-                found.push_back(candidate);
-            });
-        });
+        collectByRows(rows, ROWS_PER_TASK,
+                      [&](int begin, int end, std::vector<Candidate>& found)
+                      {
+                          forEachAbove(table, begin, end, threshold,
+                                       [&](int s, int e, const Votes* entry)
+                                       {
+                                           const Candidate candidate = {(int)*entry, s, e};
+                                           found.push_back(candidate);
+                                       });
+                      });
     std::sort(all.begin(), all.end(), isStronger);
     std::vector<bool> deleted(table.frame.chordCount());
     std::vector<Candidate> kept;
@@ -177,7 +208,8 @@ std::vector<Candidate> greedyMaxima(const RingTable<Votes>& table, int rows, int
         for (int i = -radius; i <= radius; ++i)
             for (int j = -radius; j <= radius; ++j)
             {
-                const Candidate neighbour = table.at(table.wrap(candidate.s + i), table.wrap(candidate.e + j));
+                const Candidate neighbour =
+                    table.at(table.wrap(candidate.s + i), table.wrap(candidate.e + j));
                 if (table.frame.isChord(neighbour.s, neighbour.e))
                     deleted[table.frame.chordIndex(neighbour.s, neighbour.e)] = true;
             }
@@ -185,9 +217,9 @@ std::vector<Candidate> greedyMaxima(const RingTable<Votes>& table, int rows, int
     return kept;
 }
 
-template <class Votes>
-std::vector<Candidate> findCandidatesOf(const VoteTable& votes, const Cell& frame, int threshold, int suppression,
-                                        int radius)
+template<class Votes>
+std::vector<Candidate> findCandidatesOf(const VoteTable& votes, const Cell& frame, int threshold,
+                                        int suppression, int radius)
 {
     const RingTable<Votes> table = {votes.ptr<Votes>(), frame, frame.borderCount()};
     const int rows = frame.firstPoint(SIDE_LEFT);
@@ -202,8 +234,8 @@ std::vector<Candidate> findCandidatesOf(const VoteTable& votes, const Cell& fram
 
 } // namespace
 
-std::vector<Candidate> findCandidates(const VoteTable& table, const Cell& frame, int threshold, int suppression,
-                                      int radius)
+std::vector<Candidate> findCandidates(const VoteTable& table, const Cell& frame, int threshold,
+                                      int suppression, int radius)
 {
     CV_DbgAssert(table.cells == 1 && table.chords == frame.chordCount() && threshold >= 0);
     if (table.depth == 1)

@@ -36,8 +36,8 @@ the same chord. SUPPRESS_BLOCKS keeps the strongest chord of each block of [s][e
 power of two of at least 2 radius + 1. SUPPRESS_GREEDY takes the chords strongest first and deletes the ring
 neighbourhood of each.
 @return in no particular order but the same for any number of threads. */
-std::vector<Candidate> findCandidates(const VoteTable& table, const Cell& frame, int threshold, int suppression,
-                                      int radius);
+std::vector<Candidate> findCandidates(const VoteTable& table, const Cell& frame, int threshold,
+                                      int suppression, int radius);
 
 //! Keeps the `count` strongest candidates, in no particular order.
 void keepStrongest(std::vector<Candidate>& candidates, size_t count);

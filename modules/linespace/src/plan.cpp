@@ -37,7 +37,9 @@ size_t Cell::rowStart(int s) const
     const size_t w = width, h = height;
     const int side = sideOf(s);
     CV_DbgAssert(side != SIDE_LEFT);
-    const size_t before = side == SIDE_TOP ? 0 : side == SIDE_RIGHT ? w * (w + 2 * h) : w * (w + 2 * h) + h * (w + h);
+    const size_t before = side == SIDE_TOP     ? 0
+                          : side == SIDE_RIGHT ? w * (w + 2 * h)
+                                               : w * (w + 2 * h) + h * (w + h);
     return before + (size_t)(s - firstPoint(side)) * rowLength(side);
 }
 
@@ -81,9 +83,8 @@ Raster::Raster(const Cell& cell, Chord chord)
 }
 
 Merge::Merge(const Cell& childCell, bool isHorizontal)
-    : child(childCell),
-      parent(isHorizontal ? 2 * childCell.width : childCell.width,
-             isHorizontal ? childCell.height : 2 * childCell.height),
+    : child(childCell), parent(isHorizontal ? 2 * childCell.width : childCell.width,
+                               isHorizontal ? childCell.height : 2 * childCell.height),
       horizontal(isHorizontal)
 {
 }
@@ -182,16 +183,19 @@ AxisGrid chooseAxisGrid(int length, int cellSize)
     {
         const int cells = 1 << a;
         const int side = (int)(((int64)length + cells - 1) / cells);
-        const bool allowed = (2 * side >= cellSize && side <= 3 * cellSize) || (a == 0 && length <= 3 * cellSize);
+        const bool allowed =
+            (2 * side >= cellSize && side <= 3 * cellSize) || (a == 0 && length <= 3 * cellSize);
         if (allowed)
         {
             // Smallest frame, then the side nearest to the wanted one as a ratio, then the smaller side.
             const int64 frame = (int64)cells * side, bestFrame = (int64)best.cells * best.side;
             const int64 high = std::max(side, cellSize), low = std::min(side, cellSize);
-            const int64 bestHigh = std::max(best.side, cellSize), bestLow = std::min(best.side, cellSize);
-            const bool better = best.cells == 0 || frame < bestFrame ||
-                                (frame == bestFrame && (high * bestLow < bestHigh * low ||
-                                                        (high * bestLow == bestHigh * low && side < best.side)));
+            const int64 bestHigh = std::max(best.side, cellSize),
+                        bestLow = std::min(best.side, cellSize);
+            const bool better =
+                best.cells == 0 || frame < bestFrame ||
+                (frame == bestFrame && (high * bestLow < bestHigh * low ||
+                                        (high * bestLow == bestHigh * low && side < best.side)));
             if (better)
             {
                 best.cells = cells;
@@ -222,7 +226,8 @@ Ptr<const Plan> Plan::cascaded(Size image, int cellSize)
 {
     Plan* plan = new Plan(image);
     Ptr<const Plan> result(plan);
-    const AxisGrid x = chooseAxisGrid(image.width, cellSize), y = chooseAxisGrid(image.height, cellSize);
+    const AxisGrid x = chooseAxisGrid(image.width, cellSize),
+                   y = chooseAxisGrid(image.height, cellSize);
     Level level;
     level.cell = Cell(x.side, y.side);
     level.grid = Size(x.cells, y.cells);
@@ -276,9 +281,13 @@ int Plan::visibleLength(Chord chord) const
     const int64 start = (int64)raster.minor * raster.modulus + raster.remainder;
     const int64 limit = (int64)minorLimit * raster.modulus;
     if (raster.step > 0) // inside while start + i step < limit
-        end = start >= limit ? 0 : (int)std::min<int64>(end, (limit - start + raster.step - 1) / raster.step);
+        end = start >= limit
+                  ? 0
+                  : (int)std::min<int64>(end, (limit - start + raster.step - 1) / raster.step);
     else if (start >= limit) // inside from the first i with start + i step < limit
-        begin = raster.step == 0 ? end : (int)std::min<int64>(end, (start - limit) / -(int64)raster.step + 1);
+        begin = raster.step == 0
+                    ? end
+                    : (int)std::min<int64>(end, (start - limit) / -(int64)raster.step + 1);
     return std::max(0, end - begin);
 }
 

@@ -55,18 +55,20 @@ struct Cell
 
     int firstPoint(int side) const
     {
-        return side == SIDE_TOP ? 0
-               : side == SIDE_RIGHT ? width
-               : side == SIDE_BOTTOM ? width + height : 2 * width + height;
+        return side == SIDE_TOP      ? 0
+               : side == SIDE_RIGHT  ? width
+               : side == SIDE_BOTTOM ? width + height
+                                     : 2 * width + height;
     }
 
     int pointCount(int side) const { return side & 1 ? height : width; }
 
     int sideOf(int p) const
     {
-        return p < width ? SIDE_TOP
-               : p < width + height ? SIDE_RIGHT
-               : p < 2 * width + height ? SIDE_BOTTOM : SIDE_LEFT;
+        return p < width                ? SIDE_TOP
+               : p < width + height     ? SIDE_RIGHT
+               : p < 2 * width + height ? SIDE_BOTTOM
+                                        : SIDE_LEFT;
     }
 
     //! Position of border point p in doubled coordinates of the cell.
@@ -110,7 +112,8 @@ struct Raster
     Raster(const Cell& cell, Chord chord);
 
     //! Calls visit(x, y) for every pixel.
-    template <class Visit> void forEachPixel(Visit visit) const
+    template<class Visit>
+    void forEachPixel(Visit visit) const
     {
         int position = minor, rest = remainder;
         for (int i = 0; i < count; ++i)
@@ -176,7 +179,10 @@ struct Segment
 };
 
 //! The segments of row s of the parent, in the order of their ends; at most MAX_SEGMENTS.
-enum { MAX_SEGMENTS = 6 };
+enum
+{
+    MAX_SEGMENTS = 6
+};
 int rowSegments(const Merge& merge, int s, Segment segments[MAX_SEGMENTS]);
 
 /** A level of the cascade: a grid of equal cells. Tables of a level are stored [chord][cell], where the
@@ -185,8 +191,8 @@ struct Level
 {
     Cell cell;
     Size grid;
-    bool horizontal;      //!< the merge that led here; meaningless at level 0
-    int maxVotes;         //!< no chord has more edge pixels (doc/algorithm.md, section 3.4)
+    bool horizontal; //!< the merge that led here; meaningless at level 0
+    int maxVotes;    //!< no chord has more edge pixels (doc/algorithm.md, section 3.4)
     size_t cellCount() const { return (size_t)grid.width * grid.height; }
     size_t tableSize() const { return cell.chordCount() * cellCount(); }
 };

@@ -11,8 +11,10 @@ namespace linespace {
 
 namespace {
 
-const double SUPPORT_DISTANCE = 1; // pixels; half a pixel of the chord's raster, half of the true line's
-const double EXPLAINED_DISTANCE = 2; // pixels; what a thick or slightly bent edge leaves beside its line
+const double SUPPORT_DISTANCE =
+    1; // pixels; half a pixel of the chord's raster, half of the true line's
+const double EXPLAINED_DISTANCE =
+    2; // pixels; what a thick or slightly bent edge leaves beside its line
 const int MAX_ITERATIONS = 10;
 
 //! Moments of the supporting pixels; integers, so that they do not depend on the order of summation.
@@ -22,24 +24,28 @@ struct Moments
 
     bool operator==(const Moments& other) const
     {
-        return n == other.n && x == other.x && y == other.y && xx == other.xx && xy == other.xy && yy == other.yy;
+        return n == other.n && x == other.x && y == other.y && xx == other.xx && xy == other.xy &&
+               yy == other.yy;
     }
 };
 
 //! Calls visit(x, y) for every pixel of an image whose centre is within a distance of a line.
-template <class Visit> void forEachPixelNear(Size image, const Line& line, double distance, Visit visit)
+template<class Visit>
+void forEachPixelNear(Size image, const Line& line, double distance, Visit visit)
 {
     const double cosine = std::cos(line.theta), sine = std::sin(line.theta);
     const bool xMajor = std::abs(sine) >= std::abs(cosine);
     const double major = xMajor ? cosine : sine, minor = xMajor ? sine : cosine;
-    const int length = xMajor ? image.width : image.height, limit = xMajor ? image.height : image.width;
+    const int length = xMajor ? image.width : image.height,
+              limit = xMajor ? image.height : image.width;
     const double reach = distance / std::abs(minor);
     for (int i = 0; i < length; ++i)
     {
         const double centre = (line.rho - i * major) / minor;
         if (!(centre > -reach - 1 && centre < limit + reach))
             continue;
-        const int first = std::max(0, cvCeil(centre - reach)), last = std::min(limit - 1, cvFloor(centre + reach));
+        const int first = std::max(0, cvCeil(centre - reach)),
+                  last = std::min(limit - 1, cvFloor(centre + reach));
         for (int k = first; k <= last; ++k)
             visit(xMajor ? i : k, xMajor ? k : i);
     }
@@ -48,16 +54,18 @@ template <class Visit> void forEachPixelNear(Size image, const Line& line, doubl
 Moments supportOf(const EdgeMap& edges, const Line& line)
 {
     Moments sum = {0, 0, 0, 0, 0, 0};
-    forEachPixelNear(edges.votes.size(), line, SUPPORT_DISTANCE, [&](int64 x, int64 y) {
-        if (!edges.votes.ptr<uchar>((int)y)[x])
-            return;
-        ++sum.n;
-        sum.x += x;
-        sum.y += y;
-        sum.xx += x * x;
-        sum.xy += x * y;
-        sum.yy += y * y;
-    });
+    forEachPixelNear(edges.votes.size(), line, SUPPORT_DISTANCE,
+                     [&](int64 x, int64 y)
+                     {
+                         if (!edges.votes.ptr<uchar>((int)y)[x])
+                             return;
+                         ++sum.n;
+                         sum.x += x;
+                         sum.y += y;
+                         sum.xx += x * x;
+                         sum.xy += x * y;
+                         sum.yy += y * y;
+                     });
     return sum;
 }
 
@@ -73,7 +81,7 @@ bool fitLine(const Moments& m, Line& line)
     if (xx == yy && xy == 0)
         return false;
     const double along = 0.5 * std::atan2(2 * xy, xx - yy); // direction of the largest variance
-    line.theta = along + CV_PI / 2;                          // in [0, pi]
+    line.theta = along + CV_PI / 2;                         // in [0, pi]
     line.rho = x * std::cos(line.theta) + y * std::sin(line.theta);
     return true;
 }

@@ -84,8 +84,8 @@ private:
 
 } // namespace
 
-std::vector<Selected> selectPeaks(const Plan& plan, std::vector<Candidate>& candidates, const Refinement& refine,
-                                  double distance, size_t most)
+std::vector<Selected> selectPeaks(const Plan& plan, std::vector<Candidate>& candidates,
+                                  const Refinement& refine, double distance, size_t most)
 {
     TakenLines selection(plan.imageSize(), refine, distance);
     CandidateQueue queue(candidates);
@@ -97,9 +97,10 @@ std::vector<Selected> selectPeaks(const Plan& plan, std::vector<Candidate>& cand
     return selection.chosen();
 }
 
-std::vector<Selected> selectExplaining(const EdgeMap& edges, const Plan& plan, const Requirement& requirement,
-                                       std::vector<Candidate>& candidates, const Refinement& refine, double distance,
-                                       size_t most)
+std::vector<Selected> selectExplaining(const EdgeMap& edges, const Plan& plan,
+                                       const Requirement& requirement,
+                                       std::vector<Candidate>& candidates, const Refinement& refine,
+                                       double distance, size_t most)
 {
     TakenLines selection(plan.imageSize(), refine, distance);
     CandidateQueue queue(candidates);
@@ -122,7 +123,8 @@ std::vector<Selected> selectExplaining(const EdgeMap& edges, const Plan& plan, c
             removeSupport(left, selection.chosen().back().line);
     }
     std::sort(selection.chosen().begin(), selection.chosen().end(),
-              [](const Selected& a, const Selected& b) { return isStronger(a.candidate, b.candidate); });
+              [](const Selected& a, const Selected& b)
+              { return isStronger(a.candidate, b.candidate); });
     return selection.chosen();
 }
 

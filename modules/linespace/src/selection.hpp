@@ -61,15 +61,16 @@ typedef std::function<Line(const Line&)> Refinement;
 refinement, are both within `distance` pixels of a line taken before; at most `most` lines.
 @param candidates exact votes; used up.
 @return in the total order. */
-std::vector<Selected> selectPeaks(const Plan& plan, std::vector<Candidate>& candidates, const Refinement& refine,
-                                  double distance, size_t most);
+std::vector<Selected> selectPeaks(const Plan& plan, std::vector<Candidate>& candidates,
+                                  const Refinement& refine, double distance, size_t most);
 
 /** As selectPeaks, but the edge pixels along a line taken do not vote for the lines after it: the next line is the
 one with the most of the pixels that are left, and it must still meet the requirement.
 @return in the total order of their votes among all edge pixels. */
-std::vector<Selected> selectExplaining(const EdgeMap& edges, const Plan& plan, const Requirement& requirement,
-                                       std::vector<Candidate>& candidates, const Refinement& refine, double distance,
-                                       size_t most);
+std::vector<Selected> selectExplaining(const EdgeMap& edges, const Plan& plan,
+                                       const Requirement& requirement,
+                                       std::vector<Candidate>& candidates, const Refinement& refine,
+                                       double distance, size_t most);
 
 } // namespace linespace
 } // namespace cv

@@ -35,7 +35,8 @@ double workingMemory(const Plan& plan, bool weighted, int level)
     double most[2] = {0, 0};
     for (int l = 0; l <= level; ++l)
     {
-        const double bytes = (double)plan.level(l).tableSize() * edges.depthFor(plan.level(l).maxVotes);
+        const double bytes =
+            (double)plan.level(l).tableSize() * edges.depthFor(plan.level(l).maxVotes);
         most[l % 2] = std::max(most[l % 2], bytes);
     }
     const double pixels = (double)plan.frame().width * plan.frame().height;
@@ -45,13 +46,16 @@ double workingMemory(const Plan& plan, bool weighted, int level)
 namespace {
 
 //! Calls visit(value) for every pixel of a chord that lies in the image.
-template <class Visit>
+template<class Visit>
 void forEachVote(const Mat& votes, const Cell& frame, Chord chord, Visit visit)
 {
-    Raster(frame, chord).forEachPixel([&](int x, int y) {
-        if (x < votes.cols && y < votes.rows)
-            visit(votes.ptr<uchar>(y)[x]);
-    });
+    Raster(frame, chord)
+        .forEachPixel(
+            [&](int x, int y)
+            {
+                if (x < votes.cols && y < votes.rows)
+                    visit(votes.ptr<uchar>(y)[x]);
+            });
 }
 
 } // namespace

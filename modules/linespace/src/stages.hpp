@@ -36,7 +36,8 @@ struct VoteTable
         depth = bytesPerVote;
         buffer.allocate(chords * cells * depth + PADDING);
     }
-    template <class Votes> Votes* ptr() const
+    template<class Votes>
+    Votes* ptr() const
     {
         CV_DbgAssert(sizeof(Votes) == (size_t)depth);
         return (Votes*)buffer.data();
@@ -45,11 +46,16 @@ struct VoteTable
     int at(size_t chord, size_t cell) const
     {
         const size_t i = chord * cells + cell;
-        return depth == 1 ? buffer.data()[i] : depth == 2 ? ((const ushort*)buffer.data())[i] : ((const int*)buffer.data())[i];
+        return depth == 1   ? buffer.data()[i]
+               : depth == 2 ? ((const ushort*)buffer.data())[i]
+                            : ((const int*)buffer.data())[i];
     }
 
     //! Bytes after the last entry that may be read, so that vector loads need no tail.
-    enum { PADDING = 64 };
+    enum
+    {
+        PADDING = 64
+    };
 };
 
 /** What votes: CV_8UC1 of the size of the image, continuous; 0 or 1, with weights 0 to 255. */
@@ -80,7 +86,8 @@ public:
 
     /** Level `level` >= 1 from the level below: each chord is a copy of one child's, or the sum of a part
     in each child. `parent` is allocated for the level; its depth is not less than the child's. */
-    virtual void mergeCells(const Plan& plan, int level, const VoteTable& child, VoteTable& parent) = 0;
+    virtual void mergeCells(const Plan& plan, int level, const VoteTable& child,
+                            VoteTable& parent) = 0;
 
     /** METHOD_EXACT: the votes of every chord of the plan's only cell, by its raster. */
     virtual void exactVotes(const EdgeMap& edges, const Plan& plan, VoteTable& table) = 0;

@@ -50,8 +50,9 @@ enum Suppression
 //! Which of the candidates are reported.
 enum Selection
 {
-    SELECT_PEAKS = 0,  //!< all, but those near a stronger one, see setSuppressionDistance
-    SELECT_EXPLAIN = 1 //!< also, edge pixels along a line do not vote for weaker lines: one line per edge
+    SELECT_PEAKS = 0, //!< all, but those near a stronger one, see setSuppressionDistance
+    SELECT_EXPLAIN =
+        1 //!< also, edge pixels along a line do not vote for weaker lines: one line per edge
 };
 
 //! What happens to a line after its chord was chosen.
@@ -224,8 +225,8 @@ resolution rho / srn, theta / stn.
 or more, every line is reported once, in [min_theta, min_theta + pi).
 @param use_edgeval count each pixel with its value.
 */
-CV_EXPORTS_W void HoughLines(InputArray image, OutputArray lines, double rho, double theta, int threshold,
-                             double srn = 0, double stn = 0, double min_theta = 0,
+CV_EXPORTS_W void HoughLines(InputArray image, OutputArray lines, double rho, double theta,
+                             int threshold, double srn = 0, double stn = 0, double min_theta = 0,
                              double max_theta = CV_PI, bool use_edgeval = false);
 
 /** @brief Sets the back end that #BACKEND_AUTO and HoughLines use, for the whole process; thread-safe.
