@@ -16,13 +16,16 @@
 
 int main(int argc, char** argv)
 {
-    measure::Settings settings{"", 9};
+    measure::Settings settings{"", 1920, 9};
     std::string output;
     CLI::App app("Measures the Line Space beside cv::HoughLines and writes a markdown document.");
     app.add_option("--data", settings.data, "Folder of OpenCV's sample images (building.jpg, ...)")
         ->envname("LINESPACE_SAMPLES_DATA")
         ->required()
         ->check(CLI::ExistingDirectory);
+    app.add_option("--largest", settings.largest, "Longest side of the images that are timed")
+        ->check(CLI::Range(512, 1920))
+        ->capture_default_str();
     app.add_option("--runs", settings.runs, "Runs of each timed call")
         ->check(CLI::Range(1, 99))
         ->capture_default_str();

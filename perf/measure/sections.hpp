@@ -15,6 +15,7 @@ namespace measure {
 struct Settings
 {
     std::string data; //!< folder of OpenCV's sample images
+    int largest;      //!< longest side of the images that are timed
     int runs;         //!< of each timed call; an odd number
 };
 

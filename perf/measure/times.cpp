@@ -73,6 +73,8 @@ void writeTimes(std::ostream& out, const Settings& settings)
         for (const cv::Size size : {cv::Size(512, 512), cv::Size(1024, 1024), cv::Size(1920, 1080)})
             for (const char* name : photographs)
             {
+                if (size.width > settings.largest)
+                    continue;
                 const cv::Mat1b edges = support::cannyEdges(
                     support::scaled(support::readPhotograph(settings.data, name), size));
                 const int threshold = std::min(size.width, size.height) / 5;
