@@ -440,7 +440,7 @@ private:
         requirement.threshold = INT_MAX;
         for (int length = longest; length >= 0; --length)
             if (requirement.byLength[length] <= length)
-                requirement.threshold = requirement.byLength[length] - 1;
+                requirement.threshold = std::max(0, requirement.byLength[length] - 1);
         return requirement;
     }
 
