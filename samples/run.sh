@@ -13,8 +13,8 @@ image=${1:+$(realpath -- "$1")}
 shift $(($# ? 1 : 0))
 cd "$root"
 
-# OpenCV's sample images are in its documentation package. Where that is not installed, or the system
-# installs no documentation, one image is taken out of the package.
+# OpenCV's sample images are in its documentation package. Where that is not installed, or the
+# system installs no documentation, one image is taken out of the package.
 sample_photograph() {
     local name=building.jpg folder
     for folder in /usr/share/doc/opencv-doc/examples/data build/opencv-source/samples/data build; do

@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-# Installs what is missing (Debian 12 or 13), builds everything and runs every test. What was built is
-# kept in build/, so the next run is shorter. Arguments go to ctest, e.g. -R accuracy.
+# Installs what is missing (Debian 12 or 13), builds everything and runs every test. What was built
+# is kept in build/, so the next run is shorter. Arguments go to ctest, e.g. -R accuracy.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -19,14 +19,15 @@ struct Settings
     int runs;         //!< of each timed call; an odd number
 };
 
-/** Times of the detector and of HoughLines beside cv::HoughLines. Throws std::runtime_error if the lines that
-are timed are not the reference's. */
+/** Times of the detector and of HoughLines beside cv::HoughLines. Throws std::runtime_error if the
+lines that are timed are not the reference's. */
 void writeTimes(std::ostream& out, const Settings& settings);
 
 //! Peak memory of detect() at 1920 x 1080, of a process of its own.
 void writeMemory(std::ostream& out, const Settings& settings);
 
-//! What must hold between the times of ours and of others, one row each; returns whether all of it does.
+//! What must hold between the times of ours and of others, one row each; returns whether all of it
+//! does.
 bool writeRequirements(std::ostream& out, const Settings& settings);
 
 //! Cascaded against exact votes for several cell sizes.

@@ -14,8 +14,8 @@ namespace measure {
 
 double millisecondsOf(const std::function<void()>& work);
 
-//! Medians of the times of several functions, called in turn so that all meet the same state of the machine;
-//! the first call of each is not timed.
+//! Medians of the times of several functions, called in turn so that all meet the same state of the
+//! machine; the first call of each is not timed.
 std::vector<double> medians(const std::vector<std::function<void()>>& functions, int runs);
 
 } // namespace measure

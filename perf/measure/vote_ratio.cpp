@@ -18,7 +18,8 @@ namespace {
 
 namespace ls = cv::linespace;
 
-//! Ratios of cascaded to exact votes of the chords with at least so many exact votes, in ascending order.
+//! Ratios of cascaded to exact votes of the chords with at least so many exact votes, in ascending
+//! order.
 std::vector<double> ratios(const cv::Mat1b& edges, int cellSize, int leastVotes)
 {
     cv::Mat1i exact, cascaded;

@@ -72,8 +72,8 @@ cv::Mat sideBySide(const cv::Mat& left, const std::string& leftCaption, const cv
 
 cv::Mat lineSpacePicture(const cv::Mat& table)
 {
-    // Large tables are reduced by the largest entry of each square, which keeps the peaks; small ones
-    // are enlarged.
+    // Large tables are reduced by the largest entry of each square, which keeps the peaks; small
+    // ones are enlarged.
     const int wanted = 1200, size = table.rows;
     const int step = (size + wanted - 1) / wanted, factor = std::max(1, wanted / 2 / size);
     cv::Mat reduced((size + step - 1) / step, (size + step - 1) / step, CV_32FC1, cv::Scalar(0));

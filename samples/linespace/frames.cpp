@@ -37,8 +37,8 @@ std::vector<std::uint8_t> readBytes(const std::string& path)
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// OpenCV decodes what is there of a JPEG file and fills the rest with grey. The file is whole if its
-// markers lead to the end-of-image marker (ISO/IEC 10918-1, annex B).
+// OpenCV decodes what is there of a JPEG file and fills the rest with grey. The file is whole if
+// its markers lead to the end-of-image marker (ISO/IEC 10918-1, annex B).
 bool isBrokenOffJpeg(const std::vector<std::uint8_t>& bytes)
 {
     const std::size_t size = bytes.size();
@@ -116,8 +116,8 @@ bool FrameReader::next(cv::Mat& frame)
     return true;
 }
 
-// Some videos have fewer frames than they claim because frames that repeat were left out; they still
-// reach their claimed end in time.
+// Some videos have fewer frames than they claim because frames that repeat were left out; they
+// still reach their claimed end in time.
 void FrameReader::requireWholeVideo()
 {
     const double seconds = video_.get(cv::CAP_PROP_POS_MSEC) / 1000;

@@ -2,7 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// From the arguments of the command line to the list of files to read: folders and patterns unfolded.
+// From the arguments of the command line to the list of files to read: folders and patterns
+// unfolded.
 
 #ifndef LINESPACE_SAMPLES_INPUTS_HPP
 #define LINESPACE_SAMPLES_INPUTS_HPP

@@ -172,8 +172,8 @@ void LineFile::write() const
         writeText(path_, json_.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-// Pixel centres are at integers, as everywhere in OpenCV: hence the halves. The picture is inside, so
-// that the file can be sent and shown anywhere.
+// Pixel centres are at integers, as everywhere in OpenCV: hence the halves. The picture is inside,
+// so that the file can be sent and shown anywhere.
 void writeSvg(const std::string& path, const Picture& picture, const Found& found)
 {
     std::vector<unsigned char> bytes;

@@ -24,8 +24,8 @@ struct OutputNames
     std::vector<std::string> lineFiles; //!< one for each --lines
 };
 
-//! One entry for each input, in its order. Makes the folders. Throws UsageError for a name that cannot
-//! serve its inputs, would overwrite an input, or would be written twice.
+//! One entry for each input, in its order. Makes the folders. Throws UsageError for a name that
+//! cannot serve its inputs, would overwrite an input, or would be written twice.
 std::vector<OutputNames> planOutputs(const Options& options, const std::vector<Input>& inputs);
 
 //! Whether one file takes the lines of all inputs: .json or .csv without a *.

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// What the user asked for. Reading the command line also checks every value, so that the rest of the
-// program can rely on it.
+// What the user asked for. Reading the command line also checks every value, so that the rest of
+// the program can rely on it.
 
 #ifndef LINESPACE_SAMPLES_OPTIONS_HPP
 #define LINESPACE_SAMPLES_OPTIONS_HPP

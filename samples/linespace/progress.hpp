@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// A bar on the terminal with rate and time left. Of the C++ progress bars packaged for both Debian 12
-// and 13, Boost's progress_display and biosoup's ProgressBar, neither shows a rate or the time left
-// nor fits the width of the terminal; hence these few lines.
+// A bar on the terminal with rate and time left. Of the C++ progress bars packaged for both Debian
+// 12 and 13, Boost's progress_display and biosoup's ProgressBar, neither shows a rate or the time
+// left nor fits the width of the terminal; hence these few lines.
 
 #ifndef LINESPACE_SAMPLES_PROGRESS_HPP
 #define LINESPACE_SAMPLES_PROGRESS_HPP
@@ -24,14 +24,16 @@ std::string progressText(int done, int total, double seconds, int width, const s
 class Progress
 {
 public:
-    //! enabled: whether a bar is wanted; it is shown only where the standard error output is a terminal.
+    //! enabled: whether a bar is wanted; it is shown only where the standard error output is a
+    //! terminal.
     Progress(int total, bool enabled);
     ~Progress(); //!< removes the bar
 
     bool isShown() const { return shown_; }
     void update(int done, const std::string& label);
 
-    //! Prints a line on the standard output or error output; the bar comes back with the next update.
+    //! Prints a line on the standard output or error output; the bar comes back with the next
+    //! update.
     void print(const std::string& line);
     void printError(const std::string& line);
 

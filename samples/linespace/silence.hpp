@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// Keeps what libraries print on the standard error output out of the program's own messages: libpng,
-// libjpeg, FFmpeg and OpenCV all write there about a damaged file, which shall be one line.
+// Keeps what libraries print on the standard error output out of the program's own messages:
+// libpng, libjpeg, FFmpeg and OpenCV all write there about a damaged file, which shall be one line.
 
 #ifndef LINESPACE_SAMPLES_SILENCE_HPP
 #define LINESPACE_SAMPLES_SILENCE_HPP

@@ -15,9 +15,9 @@
 
 namespace conformance {
 
-/** Two lines are within one cell of each other if their rho differ by at most rho and their theta by at
-most theta, a thousandth of a cell more allowed for rounding to float. (rho, theta) and (-rho, theta + pi)
-are the same line. */
+/** Two lines are within one cell of each other if their rho differ by at most rho and their theta
+by at most theta, a thousandth of a cell more allowed for rounding to float. (rho, theta) and (-rho,
+theta + pi) are the same line. */
 class CellIndex
 {
 public:

@@ -28,8 +28,8 @@ boundary is what rounding the line to float can move over it. */
 std::vector<VoteRange> countVotes(const Lines& lines, const cv::Mat1b& edges,
                                   const Arguments& arguments);
 
-//! The votes of a line of the grid (i rho, min_theta + j theta), free of rounding to float; pixels at
-//! a distance of exactly rho / 2 count.
+//! The votes of a line of the grid (i rho, min_theta + j theta), free of rounding to float; pixels
+//! at a distance of exactly rho / 2 count.
 std::vector<int> countVotesOnGrid(const Lines& lines, const cv::Mat1b& edges,
                                   const Arguments& arguments);
 

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// cv::linespace::HoughLines beside cv::HoughLines of the installed OpenCV: how many of its lines ours
-// has (doc/algorithm.md, section 8). Prints every case and fails below the floors.
+// cv::linespace::HoughLines beside cv::HoughLines of the installed OpenCV: how many of its lines
+// ours has (doc/algorithm.md, section 8). Prints every case and fails below the floors.
 
 #include <algorithm>
 #include <cstdlib>
@@ -41,9 +41,8 @@ void parse(int argc, char** argv, Options& options)
     app.add_option("--samples-data", options.folders.samples,
                    "Folder samples/data of OpenCV's sources")
         ->envname("LINESPACE_SAMPLES_DATA");
-    std::string evaluation;
-    app.add_option("--eval-data", evaluation, "Folder that has opencv_extra/stitching/a1.png")
-        ->envname("LINESPACE_EVAL_DATA");
+    app.add_option("--own-data", options.folders.own, "Folder test/conformance/data of this project")
+        ->envname("LINESPACE_CONFORMANCE_DATA");
     app.add_flag("--all", options.all, "More images, angle ranges and thresholds; takes long");
     app.add_option("--image", options.image, "Only images whose name begins so");
     app.add_flag("--markdown", options.markdown, "Print doc/conformance.md instead of the cases");
@@ -64,8 +63,6 @@ void parse(int argc, char** argv, Options& options)
         const int status = app.exit(error);
         std::exit(status ? 2 : 0);
     }
-    if (!evaluation.empty())
-        options.folders.extra = evaluation + "/opencv_extra";
 }
 
 //! Whether what is missing is a failure, not a reason to skip.

@@ -41,8 +41,8 @@ void houghLines(const Image& edges, const Arguments& a, int threshold, Lines& li
         cv::HoughLines(edges, lines, a.rho, a.theta, threshold, 0, 0, a.minTheta, a.maxTheta);
 }
 
-// Pixels vote for the nearest whole multiple of rho. Where a version reports halves instead, because
-// it has an even number of cells around 0, the line it counted lies half a step further up.
+// Pixels vote for the nearest whole multiple of rho. Where a version reports halves instead,
+// because it has an even number of cells around 0, the line it counted lies half a step further up.
 void removeBias(Lines& lines, double rho)
 {
     for (cv::Vec3f& line : lines)

@@ -27,7 +27,8 @@ std::string share(double value)
     return text.str();
 }
 
-//! An angle as it is best read: OpenCV's own test gives round numbers of radians, the others degrees.
+//! An angle as it is best read: OpenCV's own test gives round numbers of radians, the others
+//! degrees.
 std::string angle(double radians)
 {
     const double hundredths = radians * 100;

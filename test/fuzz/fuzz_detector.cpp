@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// Any parameters and any small image: the CPU path gives the reference's tables at every level and the
-// reference's lines, or both refuse with a cv::Exception.
+// Any parameters and any small image: the CPU path gives the reference's tables at every level and
+// the reference's lines, or both refuse with a cv::Exception.
 
 #include "fuzz_image.hpp"
 

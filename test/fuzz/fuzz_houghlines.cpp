@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// The drop-in with any arguments: what it reports holds what its documentation promises, and it throws
-// nothing but cv::Exception.
+// The drop-in with any arguments: what it reports holds what its documentation promises, and it
+// throws nothing but cv::Exception.
 
 #include "fuzz_image.hpp"
 

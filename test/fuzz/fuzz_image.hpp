@@ -28,7 +28,8 @@ inline cv::Mat fuzzImage(FuzzedDataProvider& data)
     return image;
 }
 
-//! A difference between what must be the same; not a cv::Exception, so that no harness takes it for one.
+//! A difference between what must be the same; not a cv::Exception, so that no harness takes it for
+//! one.
 inline void require(bool condition, const char* what)
 {
     if (!condition)

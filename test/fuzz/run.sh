@@ -3,8 +3,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-# Runs every fuzzer of a build for some seconds: run.sh BUILD_FOLDER [SECONDS]. What it learns is kept in the
-# build folder for the next run; an input that fails is written there, too, and named in the output.
+# Runs every fuzzer of a build for some seconds: run.sh BUILD_FOLDER [SECONDS]. What it learns is
+# kept in the build folder for the next run; an input that fails is written there, too, and named in
+# the output.
 set -euo pipefail
 build=${1:?usage: run.sh BUILD_FOLDER [SECONDS]}
 seconds=${2:-30}

@@ -6,8 +6,8 @@
 # Installs a build without tests as a user would, moves the tree, and uses it from there:
 #   run.sh WORK_FOLDER
 # Checks: no test package is needed; only the public headers are installed; the library exports
-# cv::linespace alone and does not call cv::HoughLines; a CMake project and one with pkg-config build and
-# run; the installed program runs; nothing knows the place it was installed to first.
+# cv::linespace alone and does not call cv::HoughLines; a CMake project and one with pkg-config
+# build and run; the installed program runs; nothing knows the place it was installed to first.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
 work=${1:?usage: run.sh WORK_FOLDER}

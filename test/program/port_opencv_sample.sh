@@ -2,9 +2,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-# Ports OpenCV's sample houghlines as a user would: the namespace of its call of HoughLines is changed,
-# and a header and a library are added. The sample is taken from OpenCV's own sources; nothing of it is
-# in this project. Original and port must both run, and draw what they find.
+# Ports OpenCV's sample houghlines as a user would: the namespace of its call of HoughLines is
+# changed, and a header and a library are added. The sample is taken from OpenCV's own sources;
+# nothing of it is in this project. Original and port must both run, and draw what they find.
 #   CXX, LIBRARY, EXAMPLE, OPENCV_SOURCE_DIR, OPENCV_INCLUDES (separated by ;): set by CMake
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)

@@ -64,9 +64,9 @@ class Drawn(ProgramTest):
         self.assertIn("0 lines", out)
 
     def test_line_space(self):
-        # Border points run clockwise from the top-left corner: the row y = 20 goes from 64 + 20 on the
-        # right side to 2 * 64 + 48 + (48 - 1 - 20) on the left, the column x = 30 from 30 on the top
-        # to 64 + 48 + (64 - 1 - 30) at the bottom.
+        # Border points run clockwise from the top-left corner: the row y = 20 goes from 64 + 20 on
+        # the right side to 2 * 64 + 48 + (48 - 1 - 20) on the left, the column x = 30 from 30 on
+        # the top to 64 + 48 + (64 - 1 - 30) at the bottom.
         self.run_on_edges("--show-linespace", "table.png")
         width, height, channels, rows = self.read("table.png")
         size, factor = 2 * (64 + 48), 2

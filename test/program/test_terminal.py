@@ -51,7 +51,8 @@ class Terminal(ProgramTest):
         return [state.split("\r")[0] for state in text.split("\r\x1b[K") if state]
 
     def test_bar_with_rate_and_time_left(self):
-        # The bar is drawn ten times a second: pictures that take longer on any machine, a second here.
+        # The bar is drawn ten times a second: pictures that take longer on any machine, a second
+        # here.
         for i in range(self.COUNT):
             pictures.write_pgm(self.folder / "in" / f"{i:02d}.pgm", pictures.step(1600, 1200, 45 * i + 45))
         text = self.on_terminal("in")

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// Edge maps that several programs compare or measure on: photographs through the Canny detector, and
-// noise. The same on every machine with the same version of OpenCV.
+// Edge maps that several programs compare or measure on: photographs through the Canny detector,
+// and noise. The same on every machine with the same version of OpenCV.
 
 #ifndef LINESPACE_SUPPORT_EDGE_MAPS_HPP
 #define LINESPACE_SUPPORT_EDGE_MAPS_HPP

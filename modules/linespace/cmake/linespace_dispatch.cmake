@@ -2,9 +2,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-# Compiles src/NAME.simd.hpp once per instruction set, as ocv_add_dispatched_file does inside OpenCV.
-# src/NAME.dispatch.cpp includes NAME.simd_declarations.hpp, generated here, and chooses at run time by
-# CV_CPU_DISPATCH; OPENCV_CPU_DISABLE=AVX512_SKX,AVX2 in the environment steps down.
+# Compiles src/NAME.simd.hpp once per instruction set, as ocv_add_dispatched_file does inside
+# OpenCV. src/NAME.dispatch.cpp includes NAME.simd_declarations.hpp, generated here, and chooses at
+# run time by CV_CPU_DISPATCH; OPENCV_CPU_DISABLE=AVX512_SKX,AVX2 in the environment steps down.
 
 # What OpenCV's flag of the same name stands for, and the smaller sets it implies.
 set(linespace_AVX2_flags -mavx2 -mfma -mf16c -mpopcnt)

@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-# Installs the library, the public header, the CMake package opencv_linespace and the pkg-config file
-# of that name. No installed file contains the prefix, so the tree may be moved.
+# Installs the library, the public header, the CMake package opencv_linespace and the pkg-config
+# file of that name. No installed file contains the prefix, so the tree may be moved.
 
 include(CMakePackageConfigHelpers)
 

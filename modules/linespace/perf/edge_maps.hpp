@@ -18,8 +18,9 @@ namespace opencv_test {
                     cv::Size(1024, 1024), cv::Size(640, 480), cv::Size(1280, 720),                 \
                     cv::Size(1920, 1080))
 
-/** Canny edges (50/150) of one of OpenCV's sample photographs, scaled to the size; never an empty image. The
-folder is that of the environment variable LINESPACE_SAMPLES_DATA, without which the test is skipped. */
+/** Canny edges (50/150) of one of OpenCV's sample photographs, scaled to the size; never an empty
+image. The folder is that of the environment variable LINESPACE_SAMPLES_DATA, without which the test
+is skipped. */
 inline cv::Mat photographEdges(const std::string& name, cv::Size size)
 {
     const char* folder = std::getenv("LINESPACE_SAMPLES_DATA");

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// The detector, whole and by stage. A detector keeps its buffers, so all but the first cycle are warm, as in a
-// program that detects lines in one frame after the other.
+// The detector, whole and by stage. A detector keeps its buffers, so all but the first cycle are
+// warm, as in a program that detects lines in one frame after the other.
 
 #include "edge_maps.hpp"
 
@@ -66,7 +66,8 @@ PERF_TEST_P(Detector_Table, compute,
 
 typedef perf::TestBaseWithParam<int> Detector_Level;
 
-//! One level after the other of 512 x 512, written out as a table: the difference of two is a merge.
+//! One level after the other of 512 x 512, written out as a table: the difference of two is a
+//! merge.
 PERF_TEST_P(Detector_Level, computeLevel, testing::Range(0, 13))
 {
     const cv::Mat edges = photographEdges("building.jpg", cv::Size(512, 512));

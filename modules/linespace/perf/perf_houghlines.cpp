@@ -22,7 +22,8 @@ typedef perf::TestBaseWithParam<tuple<std::string, cv::Size, ImplementationName>
 //! Seconds each: a filter can leave them out by their name.
 typedef HoughLines_Fair HoughLines_FairLarge;
 
-//! Runs one implementation. A fifth of the shorter side as threshold: some dozens to thousands of lines.
+//! Runs one implementation. A fifth of the shorter side as threshold: some dozens to thousands of
+//! lines.
 void houghLines(int implementation, const cv::Mat& edges, double theta,
                 std::vector<cv::Vec2f>& lines)
 {

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// From cv::HoughLines to the Line Space by changing a namespace: nothing else in this program depends
-// on which of the two finds the lines. Compile with -DUSE_OPENCV_HOUGH to see OpenCV's own.
+// From cv::HoughLines to the Line Space by changing a namespace: nothing else in this program
+// depends on which of the two finds the lines. Compile with -DUSE_OPENCV_HOUGH to see OpenCV's own.
 
 #include <cmath>
 #include <cstdlib>

@@ -34,8 +34,8 @@ std::vector<int> significantVotes(int maxLength, double density, double tests, d
     for (int i = 2; i <= maxLength; ++i)
         logFactorial[i] = logFactorial[i - 1] + std::log((double)i);
 
-    // Expected false alarms are compared, not probabilities, as the product may exceed any double's range
-    // only downwards.
+    // Expected false alarms are compared, not probabilities, as the product may exceed any double's
+    // range only downwards.
     std::vector<int> votes(maxLength + 1);
     int k = tests < falseAlarms ? 0 : 1; // k = 0 votes have probability 1
     for (int n = 0; n <= maxLength; ++n)

@@ -13,9 +13,10 @@ namespace cv {
 namespace linespace {
 
 /** The executor of a back end.
-@param backend one of enum Backend. BACKEND_AUTO takes the process-wide default where it can run, else the CPU path.
-@param kept an executor from an earlier call, returned again if it is of the right kind; may be empty.
-Throws cv::Exception with the reason if a back end that was named cannot run. */
+@param backend one of enum Backend. BACKEND_AUTO takes the process-wide default where it can run,
+else the CPU path.
+@param kept an executor from an earlier call, returned again if it is of the right kind; may be
+empty. Throws cv::Exception with the reason if a back end that was named cannot run. */
 Ptr<Executor> executorFor(int backend, const Ptr<Executor>& kept);
 
 } // namespace linespace

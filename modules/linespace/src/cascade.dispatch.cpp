@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// The CPU path: the stages cut into tasks for cv::parallel_for_, with inner loops dispatched once per task
-// to the best instruction set (cascade.simd.hpp). Tasks write disjoint parts of a table and read what no
-// task writes, so the result does not depend on the number of threads.
+// The CPU path: the stages cut into tasks for cv::parallel_for_, with inner loops dispatched once
+// per task to the best instruction set (cascade.simd.hpp). Tasks write disjoint parts of a table
+// and read what no task writes, so the result does not depend on the number of threads.
 
 #include "stages.hpp"
 
@@ -140,8 +140,9 @@ public:
     }
 
 private:
-    /** Sorts the edge pixels by their place in the cell: plane y width + x holds pixel (x, y) of all cells,
-    in the order of the table, so that one chord of all cells is a sum of whole planes. */
+    /** Sorts the edge pixels by their place in the cell: plane y width + x holds pixel (x, y) of
+    all cells, in the order of the table, so that one chord of all cells is a sum of whole planes.
+    */
     void makePlanes(const EdgeMap& edges, const Plan& plan)
     {
         const Level& level = plan.level(0);

@@ -3,11 +3,12 @@
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
 // The inner loops of the CPU path, compiled once per instruction set and chosen at run time
-// (cascade.dispatch.cpp). All loops are over consecutive bytes, shorts or ints and have no dependence from
-// one step to the next, so that the compiler vectorises them for the set at hand.
+// (cascade.dispatch.cpp). All loops are over consecutive bytes, shorts or ints and have no
+// dependence from one step to the next, so that the compiler vectorises them for the set at hand.
 //
-// Table order: [chord][cell], see stages.hpp. The cells A of a merge are the first half of a chord's run,
-// the cells B the second, so a parent chord's run is the sum of two runs of half the child's length.
+// Table order: [chord][cell], see stages.hpp. The cells A of a merge are the first half of a
+// chord's run, the cells B the second, so a parent chord's run is the sum of two runs of half the
+// child's length.
 
 #include "stages.hpp"
 
@@ -17,13 +18,15 @@ namespace linespace {
 CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 
 /** Adds up `count` planes of edge pixels for a range of cells.
-@param planes one pointer per pixel of the chord, to the plane's byte of the first cell of the range.
+@param planes one pointer per pixel of the chord, to the plane's byte of the first cell of the
+range.
 @param votes first cell's votes, of `depth` bytes (1 or 2); the sums must fit. */
 void addPlanes(const uchar* const* planes, int count, size_t cells, void* votes, int depth);
 
 /** Computes rows firstRow .. lastRow - 1 of all parents of a level.
 @param child table of the level below, childDepth bytes per vote, 2 * cells cells per chord.
-@param parent table of the level, parentDepth >= childDepth bytes per vote, cells cells per chord. */
+@param parent table of the level, parentDepth >= childDepth bytes per vote, cells cells per chord.
+*/
 void mergeRows(const Merge& merge, int firstRow, int lastRow, size_t cells, const void* child,
                int childDepth, void* parent, int parentDepth);
 
@@ -72,9 +75,10 @@ enum
 };
 
 /** crossing(s, e + i) for i = 0 .. count - 1, e .. e + count - 1 on one side of one child.
-Numerator and denominator of the crossing are affine in i and, below 2^53, exact in double; the quotient's
-relative error of 2^-53 is less than its distance 1 / denominator to the next integer, unless it is one. So
-the truncated quotient is the exact floor, for cells of up to 2^25 x 2^25 pixels. */
+Numerator and denominator of the crossing are affine in i and, below 2^53, exact in double; the
+quotient's relative error of 2^-53 is less than its distance 1 / denominator to the next integer,
+unless it is one. So the truncated quotient is the exact floor, for cells of up to 2^25 x 2^25
+pixels. */
 void crossings(const Merge& merge, int s, int e, int count, int* m)
 {
     int alongS, acrossS, alongE, acrossE, alongNext, acrossNext;
@@ -91,8 +95,9 @@ void crossings(const Merge& merge, int s, int e, int count, int* m)
         m[i] = (int)((numerator + i * numeratorStep) / (denominator + i * denominatorStep));
 }
 
-/** The runs of `count` chords (s, e + i): of each, `cells` votes are the sum of those at a + m[i] * strideA
-and those at b + m[i] * strideB + i * stepB. Cells > 0 is the number of cells known when compiling. */
+/** The runs of `count` chords (s, e + i): of each, `cells` votes are the sum of those at a + m[i] *
+strideA and those at b + m[i] * strideB + i * stepB. Cells > 0 is the number of cells known when
+compiling. */
 template<int Cells, class ChildVotes, class ParentVotes>
 void addRuns(const ChildVotes* a, ptrdiff_t strideA, const ChildVotes* b, ptrdiff_t strideB,
              ptrdiff_t stepB, const int* m, int count, size_t cells, ParentVotes* parent)

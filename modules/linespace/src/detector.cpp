@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// The public detector: checks arguments, keeps parameters, chooses the back end and calls the stages in
-// order. No mathematics of its own.
+// The public detector: checks arguments, keeps parameters, chooses the back end and calls the
+// stages in order. No mathematics of its own.
 
 #include "acontrario.hpp"
 #include "backends.hpp"
@@ -253,7 +253,8 @@ public:
         p.check();
         parameters_ = p;
     }
-    //! Never: the parameters are always complete. (Algorithm::load gives up on what is empty after read.)
+    //! Never: the parameters are always complete. (Algorithm::load gives up on what is empty after
+    //! read.)
     bool empty() const CV_OVERRIDE
     {
         return false;
@@ -329,8 +330,8 @@ private:
                        parameters_.memoryLimit));
     }
 
-    /** Counts the votes of a level (-1: the last one) into result_. All that can be wrong with the arguments is
-    found before anything of the detector changes. */
+    /** Counts the votes of a level (-1: the last one) into result_. All that can be wrong with the
+    arguments is found before anything of the detector changes. */
     Ptr<const Plan> count(InputArray input, int level, EdgeMap& edges, bool writesTable = false)
     {
         const Mat image = input.getMat();
@@ -430,7 +431,8 @@ private:
         requirement.threshold = parameters_.threshold;
         if (parameters_.threshold > 0)
             return requirement;
-        // Where the mask is 0 nothing can vote; a chord's length still counts it, which is on the safe side.
+        // Where the mask is 0 nothing can vote; a chord's length still counts it, which is on the
+        // safe side.
         const double pixels = mask_.empty() ? (double)edges.votes.total() : countNonZero(mask_);
         const double density = pixels > 0 ? countNonZero(edges.votes) / pixels : 0;
         const int longest = std::max(edges.votes.cols, edges.votes.rows);
@@ -496,7 +498,8 @@ private:
         }
     }
 
-    //! The line to report for a chord's line: one that leaves the interval of angles stays as it was.
+    //! The line to report for a chord's line: one that leaves the interval of angles stays as it
+    //! was.
     Line refined(const EdgeMap& edges, const AngleInterval& angles, const Line& line) const
     {
         if (parameters_.refine == REFINE_NONE)

@@ -12,16 +12,16 @@ namespace linespace {
 
 namespace {
 
-/** Where a pixel stands at an angle, in units of rho. Every vote of the drop-in is decided by this one
-expression; the file is compiled without contraction to fused multiply-adds, which would round differently
-here and there. */
+/** Where a pixel stands at an angle, in units of rho. Every vote of the drop-in is decided by this
+one expression; the file is compiled without contraction to fused multiply-adds, which would round
+differently here and there. */
 inline float position(float x, float y, float cosine, float sine)
 {
     return x * cosine + y * sine;
 }
 
-/** Nearest integer, ties to even, for |value| < 2^22: adding 1.5 * 2^23 leaves it in the low bits. Unlike a
-call, it can be vectorised. */
+/** Nearest integer, ties to even, for |value| < 2^22: adding 1.5 * 2^23 leaves it in the low bits.
+Unlike a call, it can be vectorised. */
 inline int nearestSmall(float value)
 {
     const float shifted = value + 12582912.f;
@@ -63,7 +63,8 @@ HoughGrid::HoughGrid(Size imageSize, double rhoStep, double thetaStep, double mi
                    minTheta, maxTheta));
     interval.min = minTheta;
     interval.max = maxTheta;
-    // As many angles as fit between the ends, both included, but none twice: half a turn is the same line.
+    // As many angles as fit between the ends, both included, but none twice: half a turn is the
+    // same line.
     const double turn = std::max(1., std::floor(CV_PI / thetaStep + 0.5));
     const double count = std::min(turn, std::floor((maxTheta - minTheta) / thetaStep + 1e-6) + 1);
     const double reach = std::ceil(std::sqrt((double)image.width * image.width +
@@ -140,8 +141,8 @@ void BandCounter::count(int angle, const std::vector<int>& distances, std::vecto
     votes.resize(distances.size());
     if (distances.empty())
         return;
-    // A line costs a test of each pixel across its band and one on either side of it, for each of its steps; such
-    // a test takes about as long as a pixel of the histogram.
+    // A line costs a test of each pixel across its band and one on either side of it, for each of
+    // its steps; such a test takes about as long as a pixel of the histogram.
     const double steps = (double)distances.size() *
                          std::max(grid_.image.width, grid_.image.height) * (grid_.rho + 2);
     if (steps < pixels_.count())
@@ -245,7 +246,8 @@ void allDistances(const HoughGrid& grid, int angle, std::vector<int>& distances)
 
 namespace {
 
-//! The number of the border point that a line meets on a side, as a real number affine in the line's rho.
+//! The number of the border point that a line meets on a side, as a real number affine in the
+//! line's rho.
 struct BorderCrossing
 {
     int side, first, last; //!< border points of the side
@@ -257,7 +259,8 @@ struct BorderCrossing
     }
 };
 
-//! Crossings of the lines of one normal with a side of the frame, rho and coordinates relative to its corner.
+//! Crossings of the lines of one normal with a side of the frame, rho and coordinates relative to
+//! its corner.
 BorderCrossing crossingWith(const Cell& frame, int side, double c, double s)
 {
     const double w = frame.width, h = frame.height;
@@ -318,7 +321,8 @@ void supportedDistancesOf(const VoteTable& table, const Cell& frame, const Hough
     grid.distanceRange(angle, first, last);
     std::vector<int> support((size_t)(last - first + 1), 0);
 
-    // Between the corners of the frame in the order of their rho, the lines meet the same two sides.
+    // Between the corners of the frame in the order of their rho, the lines meet the same two
+    // sides.
     const double w = frame.width, h = frame.height;
     double corners[4] = {0, w * c, h * s, w * c + h * s};
     std::sort(corners, corners + 4);

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// The grid of lines of the Hough transform, what the Line Space says about them, and how their votes are
-// counted (doc/algorithm.md, section 8).
+// The grid of lines of the Hough transform, what the Line Space says about them, and how their
+// votes are counted (doc/algorithm.md, section 8).
 
 #ifndef OPENCV_LINESPACE_HOUGHGRID_HPP
 #define OPENCV_LINESPACE_HOUGHGRID_HPP
@@ -14,8 +14,8 @@
 namespace cv {
 namespace linespace {
 
-/** The lines (i rho, min_theta + j theta), j = 0 .. angles - 1, of an image. Pixel (x, y) belongs to line i of
-angle j if round(x cosines[j] + y sines[j]) = i, in float, ties to even. */
+/** The lines (i rho, min_theta + j theta), j = 0 .. angles - 1, of an image. Pixel (x, y) belongs
+to line i of angle j if round(x cosines[j] + y sines[j]) = i, in float, ties to even. */
 struct HoughGrid
 {
     double rho;
@@ -27,15 +27,15 @@ struct HoughGrid
     std::vector<double> thetas;
     std::vector<float> cosines, sines; //!< of the angles, divided by rho
 
-    /** Throws where cv::HoughLines does: rho or theta not positive or not a number, min_theta > max_theta, angles
-    not finite, or too many to count. */
+    /** Throws where cv::HoughLines does: rho or theta not positive or not a number, min_theta >
+    max_theta, angles not finite, or too many to count. */
     HoughGrid(Size imageSize, double rho, double theta, double minTheta, double maxTheta);
 
     //! (rho, theta) of a line as reported.
     Vec2f line(int angle, int distance) const;
 
-    /** Whether whole rows or columns of pixels can lie on the boundary between two lines (as at rho = 2): they are
-    within rho / 2 of both, and vote for both. */
+    /** Whether whole rows or columns of pixels can lie on the boundary between two lines (as at rho
+    = 2): they are within rho / 2 of both, and vote for both. */
     bool isAxisParallel(int angle) const;
 
     //! Nearest integer, ties to even, of a pixel's position in units of rho.
@@ -56,7 +56,8 @@ struct EdgePixels
     size_t count() const { return x.size(); }
 };
 
-//! Counts the votes of lines of one angle, by whichever way is cheaper: all pixels, or each line's own.
+//! Counts the votes of lines of one angle, by whichever way is cheaper: all pixels, or each line's
+//! own.
 class BandCounter
 {
 public:

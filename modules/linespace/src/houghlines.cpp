@@ -2,11 +2,11 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// The drop-in for cv::HoughLines (doc/algorithm.md, section 8). The lines that can be reported are those of
-// the grid (i rho, min_theta + j theta). The cascaded Line Space tells which of them can have more votes than the
-// threshold; only those are counted, by the definition of cv::HoughLines: an edge pixel votes for line (i, j)
-// if the rounded x cos(theta) / rho + y sin(theta) / rho is i. Then the strongest is taken first, and what lies
-// within one cell of it is dropped.
+// The drop-in for cv::HoughLines (doc/algorithm.md, section 8). The lines that can be reported are
+// those of the grid (i rho, min_theta + j theta). The cascaded Line Space tells which of them can
+// have more votes than the threshold; only those are counted, by the definition of cv::HoughLines:
+// an edge pixel votes for line (i, j) if the rounded x cos(theta) / rho + y sin(theta) / rho is i.
+// Then the strongest is taken first, and what lies within one cell of it is dropped.
 
 #include "backends.hpp"
 #include "houghgrid.hpp"
@@ -22,9 +22,10 @@ namespace {
 //! Tables larger than this are not made: all lines of the grid are counted then.
 const double MOST_TABLE_BYTES = 2048. * (1 << 20);
 
-/** Share of the threshold that the votes of the chords near a line must have for it to be counted. The band of a
-line holds pixels that no single chord holds, and the cascade's polylines miss some that a chord holds. Measured by
-test/conformance: at 0.3 to 0.5 about one line in a thousand of the worst case is lost, at 0.6 whole cases are. */
+/** Share of the threshold that the votes of the chords near a line must have for it to be counted.
+The band of a line holds pixels that no single chord holds, and the cascade's polylines miss some
+that a chord holds. Measured by test/conformance: at 0.3 to 0.5 about one line in a thousand of the
+worst case is lost, at 0.6 whole cases are. */
 const double CHORD_SHARE = 0.4;
 
 struct GridLine
@@ -46,7 +47,8 @@ std::vector<GridLine> countedLines(const EdgeMap& edges, const HoughGrid& grid, 
     const int last = plan->levelCount() - 1;
     const EdgePixels pixels(edges);
     VoteTable table, spare;
-    // To count the few pixels of a sparse map at every angle is cheaper than the last level of the cascade alone.
+    // To count the few pixels of a sparse map at every angle is cheaper than the last level of the
+    // cascade alone.
     const bool isSparse = (double)pixels.count() * grid.angles < plan->frame().chordCount();
     const bool hasTable =
         !isSparse && workingMemory(*plan, edges.weighted, last) <= MOST_TABLE_BYTES;
@@ -89,8 +91,8 @@ std::vector<GridLine> countedLines(const EdgeMap& edges, const HoughGrid& grid, 
 std::vector<GridLine> strongestOfCells(std::vector<GridLine>& lines, const HoughGrid& grid)
 {
     std::sort(lines.begin(), lines.end(), isStronger);
-    // One byte per line of the grid: whether it is within one cell of a line taken. The margin holds the
-    // neighbours of those at the edge, and of their mirror images beyond it.
+    // One byte per line of the grid: whether it is within one cell of a line taken. The margin
+    // holds the neighbours of those at the edge, and of their mirror images beyond it.
     const int angleMargin = 2, distanceMargin = grid.mostDistance + 1;
     const size_t columns = 2 * (size_t)distanceMargin + 1;
     std::vector<uchar> taken(columns * (grid.angles + 2 * angleMargin), (uchar)0);
@@ -112,7 +114,8 @@ std::vector<GridLine> strongestOfCells(std::vector<GridLine>& lines, const Hough
             continue;
         kept.push_back(line);
         take(line.angle, line.distance);
-        // (rho, theta) and (-rho, theta + pi) are one line: the last angle's neighbour is the first, mirrored.
+        // (rho, theta) and (-rho, theta + pi) are one line: the last angle's neighbour is the
+        // first, mirrored.
         if (grid.wraps && line.angle == 0)
             take(grid.angles, -line.distance);
         if (grid.wraps && line.angle == grid.angles - 1)
@@ -139,7 +142,8 @@ void HoughLines(InputArray image, OutputArray lines, double rho, double theta, i
     if (source.type() != CV_8UC1)
         CV_Error_(Error::StsUnsupportedFormat,
                   ("image has type %s: must be CV_8UC1", typeToString(source.type()).c_str()));
-    // As in cv::HoughLines, a negative step is an error unless it is so large that there is nothing to count.
+    // As in cv::HoughLines, a negative step is an error unless it is so large that there is nothing
+    // to count.
     const double distances = (2. * (source.cols + source.rows) + 1) / rho,
                  angles = (max_theta - min_theta) / theta;
     if ((rho < 0 && cvRound(distances) == 0) ||

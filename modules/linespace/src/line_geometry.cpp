@@ -130,8 +130,8 @@ bool LineIndex::hasNear(const Line& line, const Ends& ends) const
 {
     if (distance_ <= 0)
         return false;
-    // A line within the distance of both ends makes at most this angle with the line between them, and passes
-    // the middle between them at most at the distance.
+    // A line within the distance of both ends makes at most this angle with the line between them,
+    // and passes the middle between them at most at the distance.
     const Point2d along = ends.second - ends.first,
                   middle = (ends.first + ends.second) * 0.5 - centre_;
     const double length = std::sqrt(along.dot(along));
@@ -142,7 +142,8 @@ bool LineIndex::hasNear(const Line& line, const Ends& ends) const
     for (int offset = -reach; offset < reach + (reach < ANGLE_BINS / 2); ++offset)
     {
         const int angle = ((centreBin + offset) % ANGLE_BINS + ANGLE_BINS) % ANGLE_BINS;
-        // The distance at the centre of the image, at any angle of the bin, is that of the middle +- slack.
+        // The distance at the centre of the image, at any angle of the bin, is that of the middle
+        // +- slack.
         const double theta = (angle + 0.5) * binWidth;
         const double at = middle.x * std::cos(theta) + middle.y * std::sin(theta);
         const double slack = distance_ + std::sqrt(middle.dot(middle)) * binWidth + 1e-6;

@@ -2,8 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// Lines outside of the table: normal form, ends inside an image, angle intervals. Coordinates are OpenCV's:
-// pixel centres at integers, so the image covers [-0.5, width - 0.5] x [-0.5, height - 0.5].
+// Lines outside of the table: normal form, ends inside an image, angle intervals. Coordinates are
+// OpenCV's: pixel centres at integers, so the image covers [-0.5, width - 0.5] x [-0.5, height -
+// 0.5].
 
 #ifndef OPENCV_LINESPACE_LINE_GEOMETRY_HPP
 #define OPENCV_LINESPACE_LINE_GEOMETRY_HPP
@@ -28,7 +29,8 @@ struct Ends
 //! The line of a chord of a frame, theta in [0, pi).
 Line lineOf(const Cell& frame, Chord chord);
 
-//! False if the line misses the image. The first end has the smaller x, of equal ones the smaller y.
+//! False if the line misses the image. The first end has the smaller x, of equal ones the smaller
+//! y.
 bool clipLine(double cosine, double sine, double rho, Size image, Ends& ends);
 
 //! A closed interval of angles; of pi or more it means all directions, in [min, min + pi).
@@ -43,14 +45,15 @@ struct AngleInterval
     {
         return theta >= min && (isFull() ? theta < min + CV_PI : theta <= max);
     }
-    /** (rho, theta) as floats, theta in the interval after rounding as well, unless no float is. For lines from
-    represent(). */
+    /** (rho, theta) as floats, theta in the interval after rounding as well, unless no float is.
+    For lines from represent(). */
     Vec2f round(const Line& line) const;
 };
 
-/** Lines of an image that were reported already, for the question whether another one is a duplicate:
-whether its two ends are both within a distance of one of them. A hash of angle and distance from the
-centre of the image keeps the search short; the answer is that of a comparison with all. */
+/** Lines of an image that were reported already, for the question whether another one is a
+duplicate: whether its two ends are both within a distance of one of them. A hash of angle and
+distance from the centre of the image keeps the search short; the answer is that of a comparison
+with all. */
 class LineIndex
 {
 public:

@@ -51,7 +51,8 @@ private:
     size_t size_;
 };
 
-//! Runs work() and turns a failed allocation into a cv::Exception that names the image `name` and its size.
+//! Runs work() and turns a failed allocation into a cv::Exception that names the image `name` and
+//! its size.
 template<class Work>
 void withMemoryFor(const char* name, Size size, Work work)
 {

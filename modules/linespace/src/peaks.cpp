@@ -40,8 +40,9 @@ struct RingTable
         return true;
     }
 
-    /** The ends [first, last) of row s for which the neighbourhood lies in whole rows of the table and touches
-    neither the mirror line nor an end of a row, so that neighbours stand at fixed distances. */
+    /** The ends [first, last) of row s for which the neighbourhood lies in whole rows of the table
+    and touches neither the mirror line nor an end of a row, so that neighbours stand at fixed
+    distances. */
     Range innerEnds(int s, int radius) const
     {
         const int side = frame.sideOf(s);
@@ -53,8 +54,8 @@ struct RingTable
     //! isRingMaximum for innerEnds: `centre` points to the candidate's entry.
     static bool isInnerMaximum(const Votes* centre, ptrdiff_t rowLength, int radius)
     {
-        // The nearest rows first: most chords lose against a direct neighbour. Neighbours that come before
-        // the candidate in the order (s, e) win ties.
+        // The nearest rows first: most chords lose against a direct neighbour. Neighbours that come
+        // before the candidate in the order (s, e) win ties.
         const Votes value = *centre;
         for (int i = 0; i <= radius; ++i)
         {
@@ -72,8 +73,8 @@ struct RingTable
     }
 };
 
-/** Calls visit(s, e, pointer to the entry) for all chords of rows [begin, end) with more than `threshold`
-votes. Most stretches of a table have none: they are passed over by their maximum. */
+/** Calls visit(s, e, pointer to the entry) for all chords of rows [begin, end) with more than
+`threshold` votes. Most stretches of a table have none: they are passed over by their maximum. */
 template<class Votes, class Visit>
 void forEachAbove(const RingTable<Votes>& table, int begin, int end, int threshold, Visit visit)
 {

@@ -30,11 +30,11 @@ inline bool isStronger(const Candidate& a, const Candidate& b)
 }
 
 /** The chords of a table of one cell with more than `threshold` votes that survive a suppression.
-@param suppression one of enum Suppression. SUPPRESS_RING keeps the chords that are stronger, in the total
-order, than all others (s + i, e + j), |i|, |j| <= radius, on the ring of border points; the mirrored entry (e, s) is
-the same chord. SUPPRESS_BLOCKS keeps the strongest chord of each block of [s][e], aligned at multiples of the smallest
-power of two of at least 2 radius + 1. SUPPRESS_GREEDY takes the chords strongest first and deletes the ring
-neighbourhood of each.
+@param suppression one of enum Suppression. SUPPRESS_RING keeps the chords that are stronger, in the
+total order, than all others (s + i, e + j), |i|, |j| <= radius, on the ring of border points; the
+mirrored entry (e, s) is the same chord. SUPPRESS_BLOCKS keeps the strongest chord of each block of
+[s][e], aligned at multiples of the smallest power of two of at least 2 radius + 1. SUPPRESS_GREEDY
+takes the chords strongest first and deletes the ring neighbourhood of each.
 @return in no particular order but the same for any number of threads. */
 std::vector<Candidate> findCandidates(const VoteTable& table, const Cell& frame, int threshold,
                                       int suppression, int radius);

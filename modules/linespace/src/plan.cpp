@@ -187,7 +187,8 @@ AxisGrid chooseAxisGrid(int length, int cellSize)
             (2 * side >= cellSize && side <= 3 * cellSize) || (a == 0 && length <= 3 * cellSize);
         if (allowed)
         {
-            // Smallest frame, then the side nearest to the wanted one as a ratio, then the smaller side.
+            // Smallest frame, then the side nearest to the wanted one as a ratio, then the smaller
+            // side.
             const int64 frame = (int64)cells * side, bestFrame = (int64)best.cells * best.side;
             const int64 high = std::max(side, cellSize), low = std::min(side, cellSize);
             const int64 bestHigh = std::max(best.side, cellSize),
@@ -235,8 +236,9 @@ Ptr<const Plan> Plan::cascaded(Size image, int cellSize)
     int inner = 2; // cells of level 0 along and down one cell of this level
     for (;;)
     {
-        // Every crossing that a chord makes can be rounded half a pixel away, which lengthens its polyline
-        // by one pixel step at most, and each of its parts can count half a pixel more than its length.
+        // Every crossing that a chord makes can be rounded half a pixel away, which lengthens its
+        // polyline by one pixel step at most, and each of its parts can count half a pixel more
+        // than its length.
         level.maxVotes = std::max(level.cell.width, level.cell.height) + (3 * (inner - 2) + 1) / 2;
         plan->levels_.push_back(level);
         const bool columns = level.grid.width > 1, rows = level.grid.height > 1;
@@ -273,8 +275,8 @@ int Plan::visibleLength(Chord chord) const
     const Raster raster(frame(), chord);
     const int majorLimit = raster.xMajor ? image_.width : image_.height;
     const int minorLimit = raster.xMajor ? image_.height : image_.width;
-    // The minor coordinate is monotone along the chord: the pixels inside are those before it reaches the
-    // limit, or those after it left it.
+    // The minor coordinate is monotone along the chord: the pixels inside are those before it
+    // reaches the limit, or those after it left it.
     int begin = 0, end = std::min(raster.count, majorLimit - raster.first);
     if (end <= 0)
         return 0;

@@ -2,14 +2,15 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// The geometry of the Line Space, in integers, shared by every back end (doc/algorithm.md, sections 2
-// and 3): border points and chords of a cell, the raster of a chord, the grid of an image, the merges of
-// the cascade. Coordinates are doubled, so that the midpoints of unit edges and the centres of pixels are
-// integers: pixel (x, y) covers [2x, 2x + 2) x [2y, 2y + 2) and has its centre at (2x + 1, 2y + 1).
+// The geometry of the Line Space, in integers, shared by every back end (doc/algorithm.md, sections
+// 2 and 3): border points and chords of a cell, the raster of a chord, the grid of an image, the
+// merges of the cascade. Coordinates are doubled, so that the midpoints of unit edges and the
+// centres of pixels are integers: pixel (x, y) covers [2x, 2x + 2) x [2y, 2y + 2) and has its
+// centre at (2x + 1, 2y + 1).
 //
-// A plan holds one short record per level, less than 4 KiB in all for any image: no table of chords is
-// kept, because at the top levels it would be larger than the votes themselves (6 n^2 entries for an
-// n x n image); crossings are computed where they are needed.
+// A plan holds one short record per level, less than 4 KiB in all for any image: no table of chords
+// is kept, because at the top levels it would be larger than the votes themselves (6 n^2 entries
+// for an n x n image); crossings are computed where they are needed.
 
 #ifndef OPENCV_LINESPACE_PLAN_HPP
 #define OPENCV_LINESPACE_PLAN_HPP
@@ -35,8 +36,8 @@ struct Chord
 
 /** A rectangle of width x height pixels, each 1 to 2^28, with width + height <= 2^28.
 
-Chords are stored by rows: all partners e of s = 0, then those of s = 1, and so on, where the partners of s
-are the border points of the sides after its own, which are consecutive. So row s has
+Chords are stored by rows: all partners e of s = 0, then those of s = 1, and so on, where the
+partners of s are the border points of the sides after its own, which are consecutive. So row s has
 rowLength(sideOf(s)) entries, and the table w^2 + h^2 + 4 w h. */
 struct Cell
 {
@@ -76,7 +77,8 @@ struct Cell
 
     bool isChord(int s, int e) const { return sideOf(s) != sideOf(e); }
 
-    //! The first of the consecutive partners of the points of a side; the last one is borderCount() - 1.
+    //! The first of the consecutive partners of the points of a side; the last one is borderCount()
+    //! - 1.
     int firstPartner(int side) const { return firstPoint(side) + pointCount(side); }
     int rowLength(int side) const { return borderCount() - firstPartner(side); }
 
@@ -93,12 +95,14 @@ struct Cell
     ptrdiff_t chordStride(int p, int q) const { return p < q ? rowLength(sideOf(p)) : 1; }
 };
 
-/** The pixels of a chord (DDA). The major axis is the longer one, x on a tie; every column (row) whose
-centre lies between the two ends, ends included, has one pixel, at the floor of the exact rational; a pixel
-outside of the cell does not count, which happens only at an end on the right or bottom border.
+/** The pixels of a chord (DDA). The major axis is the longer one, x on a tie; every column (row)
+whose centre lies between the two ends, ends included, has one pixel, at the floor of the exact
+rational; a pixel outside of the cell does not count, which happens only at an end on the right or
+bottom border.
 
 The quotient and remainder are carried from step to step, so no product is larger than
-4 width height + 2 max(width, height), formed once per chord in 64 bits; the steps themselves stay in 32. */
+4 width height + 2 max(width, height), formed once per chord in 64 bits; the steps themselves stay
+in 32. */
 struct Raster
 {
     bool xMajor;
@@ -157,18 +161,20 @@ struct Merge
     int childOf(int p) const;
     int childPoint(int p) const;
 
-    /** Where chord (s, e), whose ends lie on different children, crosses the shared side: the floor of the
-    exact coordinate, which is the nearest border point, of two the larger; 0 to sharedCount() - 1. */
+    /** Where chord (s, e), whose ends lie on different children, crosses the shared side: the floor
+    of the exact coordinate, which is the nearest border point, of two the larger; 0 to
+    sharedCount() - 1. */
     int crossing(int s, int e) const;
 
-    //! Doubled coordinates of p along and across the shared side, relative to the latter's line and start.
+    //! Doubled coordinates of p along and across the shared side, relative to the latter's line and
+    //! start.
     void relativeTo(int p, int& along, int& across) const;
 };
 
-/** A run of chords (s, e) of one row of the parent, e = firstEnd .. firstEnd + count - 1, that all lie in
-one child (chordS + i is the i-th one's index there, chordE is unused), or that all cross the shared side:
-with m = crossing(s, e), the part at s is chord chordS + m strideS of child childS, and the part at
-e = firstEnd + i is chord chordE + m strideE + i stepE of the other child. */
+/** A run of chords (s, e) of one row of the parent, e = firstEnd .. firstEnd + count - 1, that all
+lie in one child (chordS + i is the i-th one's index there, chordE is unused), or that all cross the
+shared side: with m = crossing(s, e), the part at s is chord chordS + m strideS of child childS, and
+the part at e = firstEnd + i is chord chordE + m strideE + i stepE of the other child. */
 struct Segment
 {
     int firstEnd, count;
@@ -185,8 +191,9 @@ enum
 };
 int rowSegments(const Merge& merge, int s, Segment segments[MAX_SEGMENTS]);
 
-/** A level of the cascade: a grid of equal cells. Tables of a level are stored [chord][cell], where the
-cells stand in bit-reversed order: the cells A of the next merge first, then the cells B in the same order. */
+/** A level of the cascade: a grid of equal cells. Tables of a level are stored [chord][cell], where
+the cells stand in bit-reversed order: the cells A of the next merge first, then the cells B in the
+same order. */
 struct Level
 {
     Cell cell;
@@ -217,8 +224,8 @@ public:
     rowBits[row] + columnBits[column]. */
     void cellOrder(int l, std::vector<int>& rowBits, std::vector<int>& columnBits) const;
 
-    /** Number of pixels of a chord of the frame that lie in the image: the largest number of votes the chord
-    could have. */
+    /** Number of pixels of a chord of the frame that lie in the image: the largest number of votes
+    the chord could have. */
     int visibleLength(Chord chord) const;
 
 private:

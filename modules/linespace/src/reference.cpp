@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// The definition as code: every stage in the plainest form, in the order of doc/algorithm.md. It is the
-// oracle of the other back ends and is never optimised.
+// The definition as code: every stage in the plainest form, in the order of doc/algorithm.md. It is
+// the oracle of the other back ends and is never optimised.
 
 #include "stages.hpp"
 

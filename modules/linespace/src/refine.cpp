@@ -17,7 +17,8 @@ const double EXPLAINED_DISTANCE =
     2; // pixels; what a thick or slightly bent edge leaves beside its line
 const int MAX_ITERATIONS = 10;
 
-//! Moments of the supporting pixels; integers, so that they do not depend on the order of summation.
+//! Moments of the supporting pixels; integers, so that they do not depend on the order of
+//! summation.
 struct Moments
 {
     int64 n, x, y, xx, xy, yy;

@@ -13,10 +13,10 @@
 namespace cv {
 namespace linespace {
 
-/** Total least squares on the edge pixels within one pixel of the line, repeated with the pixels of the new
-line until they stay the same, ten times at most.
-@return the refined line; the given one if fewer than two pixels support it or an end inside the image would move
-by more than a pixel. */
+/** Total least squares on the edge pixels within one pixel of the line, repeated with the pixels of
+the new line until they stay the same, ten times at most.
+@return the refined line; the given one if fewer than two pixels support it or an end inside the
+image would move by more than a pixel. */
 Line refineLine(const EdgeMap& edges, const Line& line);
 
 //! Clears the edge pixels that support a line: those within two pixels of it.

@@ -109,7 +109,8 @@ std::vector<Selected> selectExplaining(const EdgeMap& edges, const Plan& plan,
     while (!queue.empty() && selection.chosen().size() < most)
     {
         Candidate candidate = queue.pop();
-        // Votes only fall, so a candidate that still has what it was queued with is the strongest of all.
+        // Votes only fall, so a candidate that still has what it was queued with is the strongest
+        // of all.
         const int votes = chordVotes(left, plan.frame(), candidate.chord());
         if (votes < candidate.votes)
         {

@@ -15,16 +15,16 @@
 namespace cv {
 namespace linespace {
 
-/** What a chord must have to be reported: more votes than a number, and for the statistical rule at least as
-many as its length asks for. */
+/** What a chord must have to be reported: more votes than a number, and for the statistical rule at
+least as many as its length asks for. */
 struct Requirement
 {
     int threshold;             //!< votes must be more than this, for any chord
     std::vector<int> byLength; //!< empty, or by the number of pixels of the chord in the image
 
     /** For the cascade's votes: whether the chord can meet the requirement.
-    @param ratio share of the required votes that is enough, 0 to 1. Weights are at least 1, so weighted votes are
-    never fewer than the pixels that the statistical rule asks for. */
+    @param ratio share of the required votes that is enough, 0 to 1. Weights are at least 1, so
+    weighted votes are never fewer than the pixels that the statistical rule asks for. */
     bool canBeMet(const Plan& plan, const Candidate& candidate, double ratio) const
     {
         return candidate.votes > cvFloor(ratio * threshold) &&
@@ -57,15 +57,17 @@ struct Selected
 //! What becomes of the line of a chord before it is reported.
 typedef std::function<Line(const Line&)> Refinement;
 
-/** Takes the candidates in the total order and drops those whose two ends inside the image, before or after the
-refinement, are both within `distance` pixels of a line taken before; at most `most` lines.
+/** Takes the candidates in the total order and drops those whose two ends inside the image, before
+or after the refinement, are both within `distance` pixels of a line taken before; at most `most`
+lines.
 @param candidates exact votes; used up.
 @return in the total order. */
 std::vector<Selected> selectPeaks(const Plan& plan, std::vector<Candidate>& candidates,
                                   const Refinement& refine, double distance, size_t most);
 
-/** As selectPeaks, but the edge pixels along a line taken do not vote for the lines after it: the next line is the
-one with the most of the pixels that are left, and it must still meet the requirement.
+/** As selectPeaks, but the edge pixels along a line taken do not vote for the lines after it: the
+next line is the one with the most of the pixels that are left, and it must still meet the
+requirement.
 @return in the total order of their votes among all edge pixels. */
 std::vector<Selected> selectExplaining(const EdgeMap& edges, const Plan& plan,
                                        const Requirement& requirement,

@@ -2,13 +2,15 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// The seam between the detector and its back ends: the stages that each back end implements, and the
-// memory order of what passes between them. A back end is an executor of one plan; it derives no geometry
-// of its own and decides nothing, so all give the same votes. Everything after the candidates' votes
-// (order, suppression, refinement) is host code that all share: peaks.hpp, refine.hpp.
+// The seam between the detector and its back ends: the stages that each back end implements, and
+// the memory order of what passes between them. A back end is an executor of one plan; it derives
+// no geometry of its own and decides nothing, so all give the same votes. Everything after the
+// candidates' votes (order, suppression, refinement) is host code that all share: peaks.hpp,
+// refine.hpp.
 //
-// What a stage combines is a vote count, but nothing here depends on that beyond VoteTable::depth: a later
-// table may hold other monoids (for segments: best run, prefix, suffix, sum) in the same order.
+// What a stage combines is a vote count, but nothing here depends on that beyond VoteTable::depth:
+// a later table may hold other monoids (for segments: best run, prefix, suffix, sum) in the same
+// order.
 
 #ifndef OPENCV_LINESPACE_STAGES_HPP
 #define OPENCV_LINESPACE_STAGES_HPP
@@ -19,8 +21,9 @@
 namespace cv {
 namespace linespace {
 
-/** Votes of all chords of all cells of one level. The votes of chord i of the cell with index c (see
-Plan::cellOrder) stand at data[i * cells + c], as unsigned integers of `depth` bytes (1, 2 or 4). */
+/** Votes of all chords of all cells of one level. The votes of chord i of the cell with index c
+(see Plan::cellOrder) stand at data[i * cells + c], as unsigned integers of `depth` bytes (1, 2 or
+4). */
 struct VoteTable
 {
     size_t chords, cells;
@@ -71,7 +74,8 @@ struct EdgeMap
     }
 };
 
-/** One back end. Calls of one object come from one thread at a time; it may keep buffers between them. */
+/** One back end. Calls of one object come from one thread at a time; it may keep buffers between
+them. */
 class Executor
 {
 public:
@@ -80,12 +84,13 @@ public:
     //! One of enum Backend.
     virtual int backend() const = 0;
 
-    /** Level 0 of the cascade: the votes of every chord of every cell, by its raster. Pixels of cells beyond
-    the image are 0. `table` is allocated for level 0. */
+    /** Level 0 of the cascade: the votes of every chord of every cell, by its raster. Pixels of
+    cells beyond the image are 0. `table` is allocated for level 0. */
     virtual void firstCells(const EdgeMap& edges, const Plan& plan, VoteTable& table) = 0;
 
-    /** Level `level` >= 1 from the level below: each chord is a copy of one child's, or the sum of a part
-    in each child. `parent` is allocated for the level; its depth is not less than the child's. */
+    /** Level `level` >= 1 from the level below: each chord is a copy of one child's, or the sum of
+    a part in each child. `parent` is allocated for the level; its depth is not less than the
+    child's. */
     virtual void mergeCells(const Plan& plan, int level, const VoteTable& child,
                             VoteTable& parent) = 0;
 

@@ -9,7 +9,7 @@
 
 namespace opencv_test {
 
-//! False in a build with a sanitizer: it brings its own allocator and must keep it.
+//! False with another C library than glibc, and with a sanitizer, which must keep its allocator.
 bool canFailAllocations();
 //! After so many more successful ones of 512 bytes or more, one allocation fails; negative: none.
 void failAllocationAfter(int count);

@@ -2,9 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// An installed OpenCV and its thread pool are not built with the thread sanitizer, which therefore does
-// not see how the pool hands work over and reports races where there are none. Here cv::parallel_for_
-// gets a pool that is built with it: new threads for each loop, which take one stripe after the other.
+// An installed OpenCV and its thread pool are not built with the thread sanitizer, which therefore
+// does not see how the pool hands work over and reports races where there are none. Here
+// cv::parallel_for_ gets a pool that is built with it: new threads for each loop, which take one
+// stripe after the other.
 
 #include "sanitizer_threads.hpp"
 
@@ -28,7 +29,8 @@ public:
     void parallel_for(int tasks, FN_parallel_for_body_cb_t body, void* data) override
     {
         std::atomic<int> next(0);
-        const auto work = [&](int index) {
+        const auto work = [&](int index)
+        {
             threadIndex = index;
             for (int task = next++; task < tasks; task = next++)
                 body(task, task + 1, data);

@@ -7,7 +7,8 @@
 
 namespace opencv_test {
 
-//! In a build with the thread sanitizer, runs cv::parallel_for_ on threads that it can see; else nothing.
+//! In a build with the thread sanitizer, runs cv::parallel_for_ on threads that it can see; else
+//! nothing.
 void useSanitizerThreads();
 
 } // namespace opencv_test

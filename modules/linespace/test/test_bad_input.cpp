@@ -145,8 +145,11 @@ TEST_P(Linespace_BadInput, types_of_outputs)
 TEST_P(Linespace_BadInput, failed_allocation)
 {
     if (!canFailAllocations())
-        throw SkipTestException("a sanitizer's allocator cannot be replaced");
+        throw SkipTestException("no allocator that can be replaced");
     ThreadCount one(1); // whose allocation fails is then the same on every run
+    failAllocationAfter(0);
+    EXPECT_THROW(Mat(64, 64, CV_8UC1), cv::Exception) << "those of OpenCV fail too";
+    failAllocationAfter(-1);
     Mat fullTable;
     detector->compute(good, fullTable);
     for (int call = 0; call < 2; ++call)

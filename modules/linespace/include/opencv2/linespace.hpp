@@ -3,9 +3,9 @@
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
 // The public interface of the module: straight lines of an edge map by the Line Space and the
-// Cascaded Line Space (J. Hunz, A. K. Hebborn, S. Mueller, "A GPU based Real-Time Line Detector using
-// a Cascaded 2D Line Space"), and a drop-in for cv::HoughLines. What is computed is written down in
-// doc/algorithm.md; the sections named below are that document's.
+// Cascaded Line Space (J. Hunz, A. K. Hebborn, S. Mueller, "A GPU based Real-Time Line Detector
+// using a Cascaded 2D Line Space"), and a drop-in for cv::HoughLines. What is computed is written
+// down in doc/algorithm.md; the sections named below are that document's.
 
 #ifndef OPENCV_LINESPACE_HPP
 #define OPENCV_LINESPACE_HPP
@@ -64,27 +64,29 @@ enum Refine
 
 /** @brief Finds straight lines in a binary edge map.
 
-Every pair of unit edges of the image border is one line, a chord; its votes are the edge pixels on it.
-There is no angle step and no distance step: the sampling follows from the size of the image, and so does
-the time of counting. See doc/algorithm.md, sections 1 to 4.
+Every pair of unit edges of the image border is one line, a chord; its votes are the edge pixels on
+it. There is no angle step and no distance step: the sampling follows from the size of the image,
+and so does the time of counting. See doc/algorithm.md, sections 1 to 4.
 
-One detector is used by one thread at a time; different detectors may run in different threads at once.
-A detector keeps its plan and its buffers for the next image of the same size; clear() frees them.
+One detector is used by one thread at a time; different detectors may run in different threads at
+once. A detector keeps its plan and its buffers for the next image of the same size; clear() frees
+them.
 
-Every method throws cv::Exception with a message that names the argument, its value and what is allowed,
-and then leaves its outputs and the detector as they were.
+Every method throws cv::Exception with a message that names the argument, its value and what is
+allowed, and then leaves its outputs and the detector as they were.
 */
 class CV_EXPORTS_W LineSpaceDetector : public Algorithm
 {
 public:
     /** @brief Creates a detector.
-    @param threshold a line is reported if it has more votes (edge pixels) than this, >= 0. 0 asks for the
-    a-contrario rule: a line is kept when images of random edge pixels of the same density are expected to
-    have fewer than setFalseAlarms() chords as strong (section 7).
+    @param threshold a line is reported if it has more votes (edge pixels) than this, >= 0. 0 asks
+    for the a-contrario rule: a line is kept when images of random edge pixels of the same density
+    are expected to have fewer than setFalseAlarms() chords as strong (section 7).
     @param maxLines how many lines are reported at most, the strongest first, >= 0; 0 means all.
     @param method one of #Method.
-    @param cellSize wanted side of the cells of level 0 in pixels, 2 to 64; the cells that are really used
-    follow from the image size (section 3), see getLevelCellSize. Ignored by #METHOD_EXACT.
+    @param cellSize wanted side of the cells of level 0 in pixels, 2 to 64; the cells that are
+    really used follow from the image size (section 3), see getLevelCellSize. Ignored by
+    #METHOD_EXACT.
     @param backend one of #Backend.
     */
     CV_WRAP static Ptr<LineSpaceDetector> create(int threshold = 0, int maxLines = 0,
@@ -92,34 +94,39 @@ public:
                                                  int backend = BACKEND_AUTO);
 
     /** @brief Finds the lines of an edge map.
-    @param edges CV_8UC1, at least 1 x 1, Mat or UMat, any step; pixels other than 0 are edge pixels.
-    @param lines N x 1 CV_32FC3, or std::vector<Vec3f>: (rho, theta, votes). rho in pixels and theta in radians
-    are those of cv::HoughLines: the line is x cos(theta) + y sin(theta) = rho, pixel centres at integers. theta
-    lies in the angle range. votes are the edge pixels on the chord of the frame the line came from.
-    Order: votes descending, then the chord's border points (s, e) ascending.
+    @param edges CV_8UC1, at least 1 x 1, Mat or UMat, any step; pixels other than 0 are edge
+    pixels.
+    @param lines N x 1 CV_32FC3, or std::vector<Vec3f>: (rho, theta, votes). rho in pixels and theta
+    in radians are those of cv::HoughLines: the line is x cos(theta) + y sin(theta) = rho, pixel
+    centres at integers. theta lies in the angle range. votes are the edge pixels on the chord of
+    the frame the line came from. Order: votes descending, then the chord's border points (s, e)
+    ascending.
     */
     CV_WRAP virtual void detect(InputArray edges, OutputArray lines) = 0;
 
     /** @brief The table of votes LS(s, e) over all pairs of border points of the frame.
     @param edges as for detect.
-    @param lineSpace B x B CV_32SC1, B = 2 (width + height) of getFrameSize(); symmetric; pairs on one side of
-    the frame are 0. Border points are numbered clockwise from the top-left corner. A table of more than
-    2^31 - 1 bytes (a frame of more than 23170 border points) is refused.
+    @param lineSpace B x B CV_32SC1, B = 2 (width + height) of getFrameSize(); symmetric; pairs on
+    one side of the frame are 0. Border points are numbered clockwise from the top-left corner. A
+    table of more than 2^31 - 1 bytes (a frame of more than 23170 border points) is refused.
     */
     CV_WRAP virtual void compute(InputArray edges, OutputArray lineSpace) = 0;
 
     /** @brief The tables of all cells of one level of the cascade.
     @param edges as for detect.
-    @param level 0 (the cells) to getLevelCount() - 1 (the frame, the same as compute); for #METHOD_EXACT 0.
-    @param cascade CV_32SC1; with B the border points of a cell of the level, the entry (s, e) of the cell in
-    row r and column c of the grid stands at (r B + s, c B + e). The size limit of compute holds here too.
+    @param level 0 (the cells) to getLevelCount() - 1 (the frame, the same as compute); for
+    #METHOD_EXACT 0.
+    @param cascade CV_32SC1; with B the border points of a cell of the level, the entry (s, e) of
+    the cell in row r and column c of the grid stands at (r B + s, c B + e). The size limit of
+    compute holds here too.
     */
     CV_WRAP virtual void computeLevel(InputArray edges, int level, OutputArray cascade) = 0;
 
-    /** @brief Size of the frame of the last call in pixels: the image, padded with zeros on the right and
-    at the bottom to a whole number of cells. Empty before the first call. */
+    /** @brief Size of the frame of the last call in pixels: the image, padded with zeros on the
+    right and at the bottom to a whole number of cells. Empty before the first call. */
     CV_WRAP virtual Size getFrameSize() const = 0;
-    //! Levels of the last call, 0 (finest) to count - 1; 1 for #METHOD_EXACT; 0 before the first call.
+    //! Levels of the last call, 0 (finest) to count - 1; 1 for #METHOD_EXACT; 0 before the first
+    //! call.
     CV_WRAP virtual int getLevelCount() const = 0;
     //! Size in pixels of a cell of a level of the last call; throws if there is no such level.
     CV_WRAP virtual Size getLevelCellSize(int level) const = 0;
@@ -152,13 +159,14 @@ public:
     CV_WRAP virtual void setSuppression(int suppression) = 0;
     CV_WRAP virtual int getSuppression() const = 0;
 
-    /** Radius of the suppression in border points, 0 to 64; 0 keeps every chord above the threshold. For
-    #SUPPRESS_BLOCKS the block is the smallest power of two of at least 2 r + 1 border points. Default 2. */
+    /** Radius of the suppression in border points, 0 to 64; 0 keeps every chord above the
+    threshold. For #SUPPRESS_BLOCKS the block is the smallest power of two of at least 2 r + 1
+    border points. Default 2. */
     CV_WRAP virtual void setSuppressionRadius(int radius) = 0;
     CV_WRAP virtual int getSuppressionRadius() const = 0;
 
-    /** A line whose two ends inside the image are both within this many pixels of a stronger reported line
-    is dropped, >= 0; 0 switches that off. Default 3. */
+    /** A line whose two ends inside the image are both within this many pixels of a stronger
+    reported line is dropped, >= 0; 0 switches that off. Default 3. */
     CV_WRAP virtual void setSuppressionDistance(double distance) = 0;
     CV_WRAP virtual double getSuppressionDistance() const = 0;
 
@@ -170,24 +178,24 @@ public:
     CV_WRAP virtual void setRefine(int refine) = 0;
     CV_WRAP virtual int getRefine() const = 0;
 
-    /** Share of the threshold that a chord's votes in the cascade must exceed to be counted exactly, in
-    [0, 1]: the cascade's votes differ a little from the exact ones. Default 0.75. */
+    /** Share of the threshold that a chord's votes in the cascade must exceed to be counted
+    exactly, in [0, 1]: the cascade's votes differ a little from the exact ones. Default 0.75. */
     CV_WRAP virtual void setCandidateRatio(double ratio) = 0;
     CV_WRAP virtual double getCandidateRatio() const = 0;
 
-    /** How many candidates, the strongest first, are counted exactly: at least this many and at least
-    16 maxLines, >= 1. With maxLines = 0 (all lines) every candidate is. Default 4096. */
+    /** How many candidates, the strongest first, are counted exactly: at least this many and at
+    least 16 maxLines, >= 1. With maxLines = 0 (all lines) every candidate is. Default 4096. */
     CV_WRAP virtual void setPoolSize(int poolSize) = 0;
     CV_WRAP virtual int getPoolSize() const = 0;
 
-    /** Only edge pixels where the mask is not 0 vote. CV_8UC1 of the size of the edge map, checked when
-    the detector runs; an empty array (noArray()) removes the mask. Not serialised. */
+    /** Only edge pixels where the mask is not 0 vote. CV_8UC1 of the size of the edge map, checked
+    when the detector runs; an empty array (noArray()) removes the mask. Not serialised. */
     CV_WRAP virtual void setMask(InputArray mask) = 0;
     CV_WRAP virtual void getMask(OutputArray mask) const = 0;
 
-    /** Only lines with theta in [minTheta, maxTheta] are reported: radians, at most 1e6 in size, minTheta <= maxTheta,
-    otherwise any interval, also through 0; rho's sign follows. An interval of pi or more means all directions, once each, in
-    [minTheta, minTheta + pi). Default 0 to pi. */
+    /** Only lines with theta in [minTheta, maxTheta] are reported: radians, at most 1e6 in size,
+    minTheta <= maxTheta, otherwise any interval, also through 0; rho's sign follows. An interval of
+    pi or more means all directions, once each, in [minTheta, minTheta + pi). Default 0 to pi. */
     CV_WRAP virtual void setAngleRange(double minTheta, double maxTheta) = 0;
     CV_WRAP virtual void getAngleRange(CV_OUT double& minTheta, CV_OUT double& maxTheta) const = 0;
 
@@ -199,37 +207,39 @@ public:
     CV_WRAP virtual void setEdgeWeights(bool edgeWeights) = 0;
     CV_WRAP virtual bool getEdgeWeights() const = 0;
 
-    /** Most memory in MiB that the tables of votes of one call may take, with the edge map's copies and the
-    output of compute and computeLevel, >= 1; a size that needs more is refused with an exception before anything is
-    allocated. Lists of candidates come on top: 12 bytes for each chord that survives the suppression. Default 8192. */
+    /** Most memory in MiB that the tables of votes of one call may take, with the edge map's copies
+    and the output of compute and computeLevel, >= 1; a size that needs more is refused with an
+    exception before anything is allocated. Lists of candidates come on top: 12 bytes for each chord
+    that survives the suppression. Default 8192. */
     CV_WRAP virtual void setMemoryLimit(int mebibytes) = 0;
     CV_WRAP virtual int getMemoryLimit() const = 0;
 };
 
 /** @brief Finds lines in a binary image; takes what cv::HoughLines takes and means the same by it.
 
-Computed by the Line Space (section 8). It differs from cv::HoughLines where users of that function are
-unhappy: of lines within one (rho, theta) cell of each other only the strongest is reported, rho has no
-bias, and min_theta and max_theta mean the same everywhere.
+Computed by the Line Space (section 8). It differs from cv::HoughLines where users of that function
+are unhappy: of lines within one (rho, theta) cell of each other only the strongest is reported, rho
+has no bias, and min_theta and max_theta mean the same everywhere.
 
 @param image CV_8UC1; pixels other than 0 vote. An empty image gives an empty result.
-@param lines N x 1 CV_32FC2 (rho, theta), or CV_32FC3 (rho, theta, votes) if the caller's array has that type.
-Order: votes descending, then theta, then rho ascending. votes are the pixels (or the sum of their values)
-within rho / 2 of the line.
+@param lines N x 1 CV_32FC2 (rho, theta), or CV_32FC3 (rho, theta, votes) if the caller's array has
+that type. Order: votes descending, then theta, then rho ascending. votes are the pixels (or the sum
+of their values) within rho / 2 of the line.
 @param rho distance resolution in pixels, > 0.
 @param theta angle resolution in radians, > 0.
 @param threshold only lines with more votes are reported; 0 or below is a number of votes too.
 @param srn,stn divisors of rho and theta for the multi-scale transform: the result has at least the
 resolution rho / srn, theta / stn.
-@param min_theta,max_theta theta lies in [min_theta, max_theta], radians, any real interval; of an interval of pi
-or more, every line is reported once, in [min_theta, min_theta + pi).
+@param min_theta,max_theta theta lies in [min_theta, max_theta], radians, any real interval; of an
+interval of pi or more, every line is reported once, in [min_theta, min_theta + pi).
 @param use_edgeval count each pixel with its value.
 */
 CV_EXPORTS_W void HoughLines(InputArray image, OutputArray lines, double rho, double theta,
                              int threshold, double srn = 0, double stn = 0, double min_theta = 0,
                              double max_theta = CV_PI, bool use_edgeval = false);
 
-/** @brief Sets the back end that #BACKEND_AUTO and HoughLines use, for the whole process; thread-safe.
+/** @brief Sets the back end that #BACKEND_AUTO and HoughLines use, for the whole process;
+thread-safe.
 @param backend one of #Backend. */
 CV_EXPORTS_W void setDefaultBackend(int backend);
 //! The back end set last; #BACKEND_AUTO at the start.
@@ -238,9 +248,9 @@ CV_EXPORTS_W int getDefaultBackend();
 /** @brief Where lines enter and leave an image.
 @param lines N x 1 or 1 x N, CV_32FC2 or CV_32FC3: (rho, theta) or (rho, theta, votes).
 @param imageSize in pixels, at least 1 x 1.
-@param endPoints N x 1 CV_32FC4 (x1, y1, x2, y2), pixel centres at integers, on the border of the rectangle
-[-0.5, width - 0.5] x [-0.5, height - 0.5]; four NaN for a line that misses the image. The first point is the one
-with the smaller x, of equal ones the smaller y.
+@param endPoints N x 1 CV_32FC4 (x1, y1, x2, y2), pixel centres at integers, on the border of the
+rectangle [-0.5, width - 0.5] x [-0.5, height - 0.5]; four NaN for a line that misses the image. The
+first point is the one with the smaller x, of equal ones the smaller y.
 */
 CV_EXPORTS_W void lineEndPoints(InputArray lines, Size imageSize, OutputArray endPoints);
 
