@@ -5,6 +5,7 @@
 #include "compare.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "draw.hpp"
 #include "text.hpp"
@@ -32,15 +33,19 @@ double medianMilliseconds(const Search& search)
     return times[times.size() / 2];
 }
 
+using Hough = std::function<std::vector<cv::Vec3f>(int threshold)>;
+
 // cv::HoughLines has no rule of its own. Half the votes of our weakest line is low enough for it to
-// see the same lines, and high enough that it does not spend its time on sorting noise.
-int houghThreshold(const Options& options, const Found& ours)
+// see the same lines, and high enough that it does not spend its time on sorting noise. Where that
+// gives fewer lines than are to be shown, half as many votes have to do, and so on.
+int houghThreshold(const Options& options, const Found& ours, const Hough& hough)
 {
-    if (options.threshold > 0)
-        return options.threshold;
-    if (!ours.lines.empty())
-        return cvFloor(ours.lines.back()[2] / 2);
-    return std::min(ours.size.width, ours.size.height) / 4;
+    int threshold = options.threshold > 0 ? options.threshold
+                    : ours.lines.empty()  ? std::min(ours.size.width, ours.size.height) / 4
+                                          : cvFloor(ours.lines.back()[2] / 2);
+    while (threshold > 0 && hough(threshold).size() < static_cast<std::size_t>(options.maxLines))
+        threshold /= 2;
+    return threshold;
 }
 
 } // namespace
@@ -49,15 +54,21 @@ Comparison compare(const Options& options, const Picture& picture, const Found& 
                    LineFinder& finder)
 {
     const double degree = CV_PI / 180;
-    const int threshold = houghThreshold(options, ours);
+    const Hough hough = [&](int threshold)
+    {
+        std::vector<cv::Vec3f> lines;
+        cv::HoughLines(picture.edges, lines, 1, options.houghStep * degree, threshold, 0, 0,
+                       options.minAngle * degree, options.maxAngle * degree);
+        return lines;
+    };
+    const int threshold = houghThreshold(options, ours, hough);
     std::vector<cv::Vec3f> lines;
     const double theirTime = medianMilliseconds(
         [&]
         {
             cv::TickMeter time;
             time.start();
-            cv::HoughLines(picture.edges, lines, 1, options.houghStep * degree, threshold, 0, 0,
-                           options.minAngle * degree, options.maxAngle * degree);
+            lines = hough(threshold);
             time.stop();
             return time.getTimeMilli();
         });

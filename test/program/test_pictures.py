@@ -54,6 +54,11 @@ class Drawn(ProgramTest):
         self.assertIn((255, 255, 255), caption)
         self.assertTrue(any(sum(pixel) < 100 for pixel in caption))
 
+    def test_comparison_lowers_the_threshold_for_cv(self):
+        # Two lines have 40 votes; the seven strongest of cv::HoughLines have to do with fewer.
+        out = self.run_on_edges("--compare", "--max-lines", "7")
+        self.assertRegex(out, r"cv::HoughLines, 1 px, 1 deg: 7 lines")
+
     def test_comparison_of_many_lines_and_steps(self):
         out = self.run_on_edges("--compare", "--hough-step", "0.25", "--max-lines", "0")
         self.assertRegex(out, r"cv::HoughLines, 1 px, 0\.25 deg: \d+ lines")
