@@ -237,9 +237,9 @@ Ptr<const Plan> Plan::cascaded(Size image, int cellSize)
     for (;;)
     {
         // Every crossing that a chord makes can be rounded half a pixel away, which lengthens its
-        // polyline by one pixel step at most, and each of its parts can count half a pixel more
-        // than its length.
-        level.maxVotes = std::max(level.cell.width, level.cell.height) + (3 * (inner - 2) + 1) / 2;
+        // polyline by as much at most, and each of its parts can count half a pixel more than its
+        // length.
+        level.maxVotes = std::max(level.cell.width, level.cell.height) + inner - 2;
         plan->levels_.push_back(level);
         const bool columns = level.grid.width > 1, rows = level.grid.height > 1;
         if (!columns && !rows)

@@ -17,13 +17,13 @@ namespace {
 
 using namespace generators;
 
-//! Most votes of a chord of a level: the longer side, and 3/2 for every crossing of a side of a
+//! Most votes of a chord of a level: the longer side, and one for every crossing of a side of a
 //! level-0 cell.
 int voteBound(const brute::Cascade& cascade, int level)
 {
     const Size cell = cascade.cellSize(level), finest = cascade.cellSize(0);
     const int crossings = cell.width / finest.width + cell.height / finest.height - 2;
-    return std::max(cell.width, cell.height) + (3 * crossings + 1) / 2;
+    return std::max(cell.width, cell.height) + crossings;
 }
 
 Mat levelVotes(LineSpaceDetector& detector, const Mat& edges, int level)
