@@ -35,9 +35,15 @@ bool read(const std::string& folder, const std::string& name, Grid& grid, Pictur
     catch (const support::MissingImage& missing)
     {
         grid.skipped.push_back(missing.what());
-        grid.isComplete = false;
         return false;
     }
+}
+
+bool readSample(const Folders& folders, const std::string& name, Grid& grid, Picture& picture)
+{
+    const bool isThere = read(folders.samples, name, grid, picture);
+    grid.isComplete = grid.isComplete && isThere;
+    return isThere;
 }
 
 std::string titleOf(const Picture& picture)
@@ -94,9 +100,9 @@ void addOpenCVsOwn(const Folders& folders, Grid& grid)
     };
     Picture picture;
     for (const char* name : {"pic5.png", "pic1.png"}) // the latter of its test of HoughLinesP
-        if (read(folders.samples, name, grid, picture))
+        if (readSample(folders, name, grid, picture))
             add(picture);
-    if (read(folders.own, "a1.png", grid, picture))
+    if (read(folders.extra, "stitching/a1.png", grid, picture))
         add(picture);
 }
 
@@ -143,7 +149,7 @@ Grid makeGrid(const Folders& folders, bool all)
                              "pic2.png", "pic3.png", "pic4.png", "pic5.png", "pic6.png"})
     {
         Picture picture;
-        if (!read(folders.samples, name, grid, picture))
+        if (!readSample(folders, name, grid, picture))
             continue;
         addPicture(picture, lineCounts, all, grid);
         const bool isDrawing = picture.name.compare(0, 3, "pic") == 0;

@@ -18,7 +18,7 @@ namespace conformance {
 struct Folders
 {
     std::string samples; //!< samples/data of OpenCV's sources
-    std::string own;     //!< those kept beside this test
+    std::string extra;   //!< with opencv_extra's stitching/a1.png
 };
 
 //! An edge map and what to search on it.
@@ -36,7 +36,7 @@ struct Grid
 {
     std::vector<Search> searches;
     std::vector<std::string> skipped; //!< one line each: what, and why
-    bool isComplete = true;           //!< whether all images are there
+    bool isComplete = true;           //!< whether all of OpenCV's sample images are there
 };
 
 //! `all`: more of everything, for hours of patience.

@@ -41,8 +41,9 @@ void parse(int argc, char** argv, Options& options)
     app.add_option("--samples-data", options.folders.samples,
                    "Folder samples/data of OpenCV's sources")
         ->envname("LINESPACE_SAMPLES_DATA");
-    app.add_option("--own-data", options.folders.own, "Folder test/conformance/data of this project")
-        ->envname("LINESPACE_CONFORMANCE_DATA");
+    std::string evaluation;
+    app.add_option("--eval-data", evaluation, "Folder that has opencv_extra/stitching/a1.png")
+        ->envname("LINESPACE_EVAL_DATA");
     app.add_flag("--all", options.all, "More images, angle ranges and thresholds; takes long");
     app.add_option("--image", options.image, "Only images whose name begins so");
     app.add_flag("--markdown", options.markdown, "Print doc/conformance.md instead of the cases");
@@ -63,6 +64,8 @@ void parse(int argc, char** argv, Options& options)
         const int status = app.exit(error);
         std::exit(status ? 2 : 0);
     }
+    if (!evaluation.empty())
+        options.folders.extra = evaluation + "/opencv_extra";
 }
 
 //! Whether what is missing is a failure, not a reason to skip.
