@@ -49,7 +49,16 @@ Outcome run(int backend, const std::vector<uint8_t>& bytes)
         const cv::Mat image = fuzzImage(data);
         if (data.ConsumeBool())
             detector->setMask(image.clone());
-        detector->detect(image, outcome.lines);
+        if (data.ConsumeBool())
+        {
+            detector->setOrientationTolerance(data.ConsumeFloatingPointInRange<double>(-1, 91));
+            const int type = data.ConsumeBool() ? CV_16SC1 : CV_32FC1;
+            const cv::Mat dx = fuzzGradient(data, image.size(), type),
+                          dy = fuzzGradient(data, image.size(), type);
+            detector->detect(image, dx, dy, outcome.lines);
+        }
+        else
+            detector->detect(image, outcome.lines);
         for (int level = 0; level < detector->getLevelCount(); ++level)
         {
             cv::Mat table;

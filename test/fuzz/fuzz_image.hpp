@@ -28,6 +28,23 @@ inline cv::Mat fuzzImage(FuzzedDataProvider& data)
     return image;
 }
 
+//! One component of a gradient; empty once in a while, and of any bytes: a float may be no number.
+inline cv::Mat fuzzGradient(FuzzedDataProvider& data, cv::Size size, int type)
+{
+    if (data.ConsumeIntegralInRange(0, 7) == 0)
+        return cv::Mat();
+    cv::Mat values = cv::Mat::zeros(size, type);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width && data.remaining_bytes() > 0; ++x)
+        {
+            if (type == CV_16SC1)
+                values.at<short>(y, x) = data.ConsumeIntegral<short>();
+            else
+                data.ConsumeData(&values.at<float>(y, x), sizeof(float));
+        }
+    return values;
+}
+
 //! A difference between what must be the same; not a cv::Exception, so that no harness takes it for
 //! one.
 inline void require(bool condition, const char* what)

@@ -21,6 +21,13 @@ void addPlanes(const uchar* const* planes, int count, size_t cells, void* votes,
     CV_CPU_DISPATCH(addPlanes, (planes, count, cells, votes, depth), CV_CPU_DISPATCH_MODES_ALL);
 }
 
+void addChosenPlanes(const uchar* const* planes, const uchar* const* bits, uchar bit, int count,
+                     size_t cells, void* votes, int depth)
+{
+    CV_CPU_DISPATCH(addChosenPlanes, (planes, bits, bit, count, cells, votes, depth),
+                    CV_CPU_DISPATCH_MODES_ALL);
+}
+
 void mergeRows(const Merge& merge, int firstRow, int lastRow, size_t cells, const void* child,
                int childDepth, void* parent, int parentDepth)
 {
@@ -29,10 +36,9 @@ void mergeRows(const Merge& merge, int firstRow, int lastRow, size_t cells, cons
                     CV_CPU_DISPATCH_MODES_ALL);
 }
 
-void exactRow(const Cell& frame, int s, const uchar* map, const uchar* transposed, void* votes,
-              int depth)
+void exactRow(const Cell& frame, int s, const ExactMaps& maps, void* votes, int depth)
 {
-    CV_CPU_DISPATCH(exactRow, (frame, s, map, transposed, votes, depth), CV_CPU_DISPATCH_MODES_ALL);
+    CV_CPU_DISPATCH(exactRow, (frame, s, maps, votes, depth), CV_CPU_DISPATCH_MODES_ALL);
 }
 
 const size_t CELLS_PER_TASK =
@@ -52,14 +58,15 @@ public:
     void clear() CV_OVERRIDE
     {
         planes_.release();
+        directionPlanes_.release();
         transposed_.release();
+        directionsTransposed_.release();
     }
 
     void firstCells(const EdgeMap& edges, const Plan& plan, VoteTable& table) CV_OVERRIDE
     {
         makePlanes(edges, plan);
-        const Level& level = plan.level(0);
-        const Cell cell = level.cell;
+        const Cell cell = plan.level(0).cell;
         const size_t cells = table.cells;
         const int rows = cell.firstPoint(SIDE_LEFT);
         const int cellTasks = taskCount(cells, CELLS_PER_TASK), rowTasks = taskCount(rows, 4);
@@ -67,27 +74,18 @@ public:
             Range(0, cellTasks * rowTasks),
             [&](const Range& range)
             {
-                std::vector<const uchar*> pixels(std::max(cell.width, cell.height));
+                std::vector<const uchar*> pixels(std::max(cell.width, cell.height)),
+                    bits(pixels.size());
                 for (int task = range.start; task < range.end; ++task)
                 {
                     const size_t begin = task / rowTasks * CELLS_PER_TASK;
-                    const size_t count = std::min(CELLS_PER_TASK, cells - begin);
-                    const int firstRow = task % rowTasks * 4,
-                              lastRow = std::min(rows, firstRow + 4);
-                    for (int s = firstRow; s < lastRow; ++s)
+                    const Range block((int)begin, (int)std::min(begin + CELLS_PER_TASK, cells));
+                    const int first = task % rowTasks * 4;
+                    for (int s = first; s < std::min(rows, first + 4); ++s)
                         for (int e = cell.firstPartner(cell.sideOf(s)); e < cell.borderCount(); ++e)
                         {
                             const Chord chord = {s, e};
-                            int n = 0;
-                            Raster(cell, chord)
-                                .forEachPixel(
-                                    [&](int x, int y) {
-                                        pixels[n++] = planes_.data() +
-                                                      ((size_t)y * cell.width + x) * cells + begin;
-                                    });
-                            const size_t first = cell.chordIndex(s, e) * cells + begin;
-                            addPlanes(pixels.data(), n, count,
-                                      table.buffer.data() + first * table.depth, table.depth);
+                            countChord(edges, cell, chord, block, pixels, bits, table);
                         }
                 }
             });
@@ -111,15 +109,17 @@ public:
     void exactVotes(const EdgeMap& edges, const Plan& plan, VoteTable& table) CV_OVERRIDE
     {
         const Cell frame = plan.frame();
-        const size_t pixels = (size_t)frame.width * frame.height;
-        transposed_.allocate(pixels);
-        Mat transposed(frame.width, frame.height, CV_8UC1, transposed_.data());
-        transpose(edges.votes, transposed);
+        ExactMaps maps = {edges.votes.data, transposed<uchar>(edges.votes, transposed_), 0, 0};
+        if (edges.isOriented())
+        {
+            maps.bits = edges.directions.ptr<ushort>();
+            maps.bitsTransposed = transposed<ushort>(edges.directions, directionsTransposed_);
+        }
         parallel_for_(Range(0, frame.firstPoint(SIDE_LEFT)),
                       [&](const Range& range)
                       {
                           for (int s = range.start; s < range.end; ++s)
-                              exactRow(frame, s, edges.votes.data, transposed_.data(),
+                              exactRow(frame, s, maps,
                                        table.buffer.data() + frame.rowStart(s) * table.depth,
                                        table.depth);
                       });
@@ -140,41 +140,94 @@ public:
     }
 
 private:
+    //! The votes of one chord of level 0, of a block of cells.
+    void countChord(const EdgeMap& edges, const Cell& cell, Chord chord, const Range& block,
+                    std::vector<const uchar*>& pixels, std::vector<const uchar*>& bits,
+                    VoteTable& table) const
+    {
+        const size_t cells = table.cells, planes = (size_t)cell.width * cell.height;
+        const int bin = edges.isOriented() ? directionBin(cell, chord) : 0;
+        const uchar* const ownPlanes = planes_.data() + block.start;
+        // None if the map is not oriented: an address in them must not be formed then.
+        const uchar* const binPlanes =
+            edges.isOriented() ? directionPlanes_.data() + bin / 8 * planes * cells + block.start
+                               : ownPlanes;
+        int n = 0;
+        Raster(cell, chord)
+            .forEachPixel(
+                [&](int x, int y)
+                {
+                    const size_t plane = ((size_t)y * cell.width + x) * cells;
+                    pixels[n] = ownPlanes + plane;
+                    bits[n++] = binPlanes + plane;
+                });
+        uchar* votes = table.buffer.data() +
+                       (cell.chordIndex(chord.s, chord.e) * cells + block.start) * table.depth;
+        if (edges.isOriented())
+            addChosenPlanes(pixels.data(), bits.data(), (uchar)(1 << bin % 8), n, block.size(),
+                            votes, table.depth);
+        else
+            addPlanes(pixels.data(), n, block.size(), votes, table.depth);
+    }
+
     /** Sorts the edge pixels by their place in the cell: plane y width + x holds pixel (x, y) of
     all cells, in the order of the table, so that one chord of all cells is a sum of whole planes.
-    */
+    The directions' low bytes make as many planes again, the high bytes as many after these. */
     void makePlanes(const EdgeMap& edges, const Plan& plan)
+    {
+        const Level& level = plan.level(0);
+        const size_t size = level.cellCount() * level.cell.width * level.cell.height;
+        planes_.allocate(size);
+        scatter<uchar>(edges.votes, plan, planes_.data(), [](uchar value) { return value; });
+        if (!edges.isOriented())
+            return;
+        directionPlanes_.allocate(2 * size);
+        scatter<ushort>(edges.directions, plan, directionPlanes_.data(),
+                        [](ushort value) { return (uchar)(value & 0xFF); });
+        scatter<ushort>(edges.directions, plan, directionPlanes_.data() + size,
+                        [](ushort value) { return (uchar)(value >> 8); });
+    }
+
+    template<class Pixel, class ByteOf>
+    static void scatter(const Mat& image, const Plan& plan, uchar* planes, ByteOf byteOf)
     {
         const Level& level = plan.level(0);
         const Cell cell = level.cell;
         const size_t cells = level.cellCount(), size = cells * cell.width * cell.height;
-        planes_.allocate(size + VoteTable::PADDING);
-        if (level.grid.width * cell.width != edges.votes.cols ||
-            level.grid.height * cell.height != edges.votes.rows)
-            std::fill(planes_.data(), planes_.data() + size, (uchar)0);
+        if (level.grid.width * cell.width != image.cols ||
+            level.grid.height * cell.height != image.rows)
+            std::fill(planes, planes + size, (uchar)0);
         std::vector<int> rowBits, columnBits;
         plan.cellOrder(0, rowBits, columnBits);
-        parallel_for_(Range(0, edges.votes.rows),
+        parallel_for_(Range(0, image.rows),
                       [&](const Range& range)
                       {
                           for (int y = range.start; y < range.end; ++y)
                           {
-                              const uchar* from = edges.votes.ptr<uchar>(y);
+                              const Pixel* from = image.ptr<Pixel>(y);
                               const int row = y / cell.height, inner = y % cell.height;
                               for (int x = 0; x < cell.width; ++x)
                               {
-                                  uchar* plane = planes_.data() +
-                                                 ((size_t)inner * cell.width + x) * cells +
+                                  uchar* plane = planes + ((size_t)inner * cell.width + x) * cells +
                                                  rowBits[row];
-                                  for (int column = 0, at = x; at < edges.votes.cols;
+                                  for (int column = 0, at = x; at < image.cols;
                                        ++column, at += cell.width)
-                                      plane[columnBits[column]] = from[at];
+                                      plane[columnBits[column]] = byteOf(from[at]);
                               }
                           }
                       });
     }
 
-    Buffer planes_, transposed_;
+    template<class Pixel>
+    static const Pixel* transposed(const Mat& image, Buffer& buffer)
+    {
+        buffer.allocate(image.total() * sizeof(Pixel));
+        Mat result(image.cols, image.rows, image.type(), buffer.data());
+        transpose(image, result);
+        return result.ptr<Pixel>();
+    }
+
+    Buffer planes_, directionPlanes_, transposed_, directionsTransposed_;
 };
 
 } // namespace

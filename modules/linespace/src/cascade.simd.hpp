@@ -15,6 +15,19 @@
 namespace cv {
 namespace linespace {
 
+// The rest of the file is read once per instruction set, this part once.
+#ifndef OPENCV_LINESPACE_CASCADE_SIMD_HPP
+#define OPENCV_LINESPACE_CASCADE_SIMD_HPP
+
+//! An image and the same with x and y exchanged, continuous. Bits may be missing (null).
+struct ExactMaps
+{
+    const uchar *votes, *votesTransposed;
+    const ushort *bits, *bitsTransposed;
+};
+
+#endif // OPENCV_LINESPACE_CASCADE_SIMD_HPP
+
 CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 
 /** Adds up `count` planes of edge pixels for a range of cells.
@@ -23,6 +36,12 @@ range.
 @param votes first cell's votes, of `depth` bytes (1 or 2); the sums must fit. */
 void addPlanes(const uchar* const* planes, int count, size_t cells, void* votes, int depth);
 
+/** As addPlanes, of the pixels that have a bit of theirs set.
+@param bits one pointer per pixel of the chord, to the byte with the pixel's bits in the first cell
+of the range. */
+void addChosenPlanes(const uchar* const* planes, const uchar* const* bits, uchar bit, int count,
+                     size_t cells, void* votes, int depth);
+
 /** Computes rows firstRow .. lastRow - 1 of all parents of a level.
 @param child table of the level below, childDepth bytes per vote, 2 * cells cells per chord.
 @param parent table of the level, parentDepth >= childDepth bytes per vote, cells cells per chord.
@@ -30,11 +49,10 @@ void addPlanes(const uchar* const* planes, int count, size_t cells, void* votes,
 void mergeRows(const Merge& merge, int firstRow, int lastRow, size_t cells, const void* child,
                int childDepth, void* parent, int parentDepth);
 
-/** Exact votes of the chords (s, e), e = firstPartner .. borderCount - 1, of an image of one cell.
-@param map the image, continuous, one byte per pixel; transposed: the same with x and y exchanged.
+/** Exact votes of the chords (s, e), e = firstPartner .. borderCount - 1, of an image of one cell,
+of the pixels that have the bit of the chord's bin.
 @param votes one result per chord, `depth` bytes each. */
-void exactRow(const Cell& frame, int s, const uchar* map, const uchar* transposed, void* votes,
-              int depth);
+void exactRow(const Cell& frame, int s, const ExactMaps& maps, void* votes, int depth);
 
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
 
@@ -65,6 +83,19 @@ void addPlanesOf(const uchar* const* planes, int count, size_t cells, Votes* vot
         const uchar *p0 = planes[p], *p1 = planes[p + 1], *p2 = planes[p + 2], *p3 = planes[p + 3];
         for (size_t c = 0; c < cells; ++c)
             votes[c] = (Votes)(votes[c] + p0[c] + p1[c] + p2[c] + p3[c]);
+    }
+}
+
+template<class Votes>
+void addChosenPlanesOf(const uchar* const* planes, const uchar* const* bits, uchar bit, int count,
+                       size_t cells, Votes* votes)
+{
+    std::fill(votes, votes + cells, (Votes)0);
+    for (int p = 0; p < count; ++p)
+    {
+        const uchar *values = planes[p], *own = bits[p];
+        for (size_t c = 0; c < cells; ++c)
+            votes[c] = (Votes)(votes[c] + ((own[c] & bit) == bit ? values[c] : 0));
     }
 }
 
@@ -178,8 +209,8 @@ void mergeRowsFor(const Merge& merge, int firstRow, int lastRow, size_t cells, c
     }
 }
 
-template<class Votes>
-void exactRowOf(const Cell& frame, int s, const uchar* map, const uchar* transposed, Votes* votes)
+template<bool IsOriented, class Votes>
+void exactRowOf(const Cell& frame, int s, const ExactMaps& maps, Votes* votes)
 {
     for (int e = frame.firstPartner(frame.sideOf(s)); e < frame.borderCount(); ++e)
     {
@@ -187,13 +218,17 @@ void exactRowOf(const Cell& frame, int s, const uchar* map, const uchar* transpo
         const Raster raster(frame, chord);
         // With x and y exchanged where y is the major axis, all chords run along the rows.
         const ptrdiff_t stride = raster.xMajor ? frame.width : frame.height;
-        const uchar* pixels = raster.xMajor ? map : transposed;
+        const uchar* pixels = raster.xMajor ? maps.votes : maps.votesTransposed;
+        const ushort* bits = raster.xMajor ? maps.bits : maps.bitsTransposed;
+        const ushort bit = IsOriented ? directionBit(frame, chord) : 0;
         ptrdiff_t at = raster.minor * stride + raster.first; // beyond the image after the last step
         const int step = raster.step, modulus = raster.modulus;
         int sum = 0, remainder = raster.remainder;
         for (int i = 0; i < raster.count; ++i)
         {
-            sum += pixels[at++];
+            if (!IsOriented || (bits[at] & bit))
+                sum += pixels[at];
+            ++at;
             remainder += step;
             const int over = remainder >= modulus, under = remainder < 0;
             remainder += (under - over) * modulus;
@@ -213,6 +248,15 @@ void addPlanes(const uchar* const* planes, int count, size_t cells, void* votes,
         addPlanesOf(planes, count, cells, (ushort*)votes);
 }
 
+void addChosenPlanes(const uchar* const* planes, const uchar* const* bits, uchar bit, int count,
+                     size_t cells, void* votes, int depth)
+{
+    if (depth == 1)
+        addChosenPlanesOf(planes, bits, bit, count, cells, (uchar*)votes);
+    else
+        addChosenPlanesOf(planes, bits, bit, count, cells, (ushort*)votes);
+}
+
 void mergeRows(const Merge& merge, int firstRow, int lastRow, size_t cells, const void* child,
                int childDepth, void* parent, int parentDepth)
 {
@@ -227,15 +271,27 @@ void mergeRows(const Merge& merge, int firstRow, int lastRow, size_t cells, cons
     }
 }
 
-void exactRow(const Cell& frame, int s, const uchar* map, const uchar* transposed, void* votes,
-              int depth)
+namespace {
+
+template<bool IsOriented>
+void exactRowFor(const Cell& frame, int s, const ExactMaps& maps, void* votes, int depth)
 {
     if (depth == 1)
-        exactRowOf(frame, s, map, transposed, (uchar*)votes);
+        exactRowOf<IsOriented>(frame, s, maps, (uchar*)votes);
     else if (depth == 2)
-        exactRowOf(frame, s, map, transposed, (ushort*)votes);
+        exactRowOf<IsOriented>(frame, s, maps, (ushort*)votes);
     else
-        exactRowOf(frame, s, map, transposed, (int*)votes);
+        exactRowOf<IsOriented>(frame, s, maps, (int*)votes);
+}
+
+} // namespace
+
+void exactRow(const Cell& frame, int s, const ExactMaps& maps, void* votes, int depth)
+{
+    if (maps.bits)
+        exactRowFor<true>(frame, s, maps, votes, depth);
+    else
+        exactRowFor<false>(frame, s, maps, votes, depth);
 }
 
 #endif // CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY

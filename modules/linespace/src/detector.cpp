@@ -8,6 +8,7 @@
 #include "acontrario.hpp"
 #include "backends.hpp"
 #include "line_geometry.hpp"
+#include "orientation.hpp"
 #include "peaks.hpp"
 #include "refine.hpp"
 #include "selection.hpp"
@@ -45,14 +46,16 @@ struct Parameters
 {
     int threshold, maxLines, method, cellSize, backend, suppression, suppressionRadius, selection,
         refine, poolSize, memoryLimit;
-    double suppressionDistance, candidateRatio, minTheta, maxTheta, falseAlarms;
+    double suppressionDistance, candidateRatio, minTheta, maxTheta, orientationTolerance,
+        falseAlarms;
     bool edgeWeights;
 
     Parameters()
         : threshold(0), maxLines(0), method(METHOD_CASCADED), cellSize(8), backend(BACKEND_AUTO),
           suppression(SUPPRESS_RING), suppressionRadius(2), selection(SELECT_PEAKS),
           refine(REFINE_LEAST_SQUARES), poolSize(4096), memoryLimit(8192), suppressionDistance(3),
-          candidateRatio(0.75), minTheta(0), maxTheta(CV_PI), falseAlarms(1), edgeWeights(false)
+          candidateRatio(0.75), minTheta(0), maxTheta(CV_PI), orientationTolerance(22.5),
+          falseAlarms(1), edgeWeights(false)
     {
     }
 
@@ -85,9 +88,60 @@ struct Parameters
             CV_Error_(Error::StsOutOfRange,
                       ("minTheta = %.15g is larger than maxTheta = %.15g: must not be", minTheta,
                        maxTheta));
+        checkRange(orientationTolerance, std::numeric_limits<double>::min(), 90.,
+                   "orientationTolerance", "more than 0 and at most 90 degrees");
         checkRange(falseAlarms, std::numeric_limits<double>::min(), most, "falseAlarms",
                    "more than 0, finite");
         checkRange(memoryLimit, 1, INT_MAX, "memoryLimit", "1 MiB or more");
+    }
+};
+
+/** Whose directions vote; none for a map that is not oriented. Empty gradients are estimated from
+the edge map. */
+struct Gradients
+{
+    bool isOriented;
+    Mat dx, dy;
+
+    void check(Size size) const
+    {
+        const struct
+        {
+            const Mat& values;
+            const char* name;
+        } both[2] = {{dx, "dx"}, {dy, "dy"}};
+        if (dx.empty() && dy.empty())
+            return;
+        for (const auto& one : both)
+        {
+            if (one.values.empty())
+                CV_Error_(Error::StsBadSize,
+                          ("%s is empty: must not be, unless both dx and dy are", one.name));
+            if ((one.values.type() != CV_16SC1 && one.values.type() != CV_32FC1) ||
+                one.values.dims != 2)
+                CV_Error_(
+                    Error::StsUnsupportedFormat,
+                    ("%s has %d dimensions and type %s: must be CV_16SC1 or CV_32FC1 with two "
+                     "dimensions",
+                     one.name, one.values.dims, typeToString(one.values.type()).c_str()));
+            if (one.values.size() != size)
+                CV_Error_(Error::StsUnmatchedSizes,
+                          ("%s has %d x %d pixels: must have the %d x %d of edges", one.name,
+                           one.values.cols, one.values.rows, size.width, size.height));
+        }
+        if (dx.type() != dy.type())
+            CV_Error_(Error::StsUnmatchedFormats,
+                      ("dx has type %s and dy %s: must be the same",
+                       typeToString(dx.type()).c_str(), typeToString(dy.type()).c_str()));
+    }
+
+    Mat bits(const Mat& votes, double tolerance) const
+    {
+        if (!dx.empty())
+            return directionBits(votes, dx, dy, tolerance);
+        Mat estimatedX, estimatedY;
+        estimateGradients(votes, estimatedX, estimatedY);
+        return directionBits(votes, estimatedX, estimatedY, tolerance);
     }
 };
 
@@ -117,16 +171,14 @@ public:
 
     void detect(InputArray edges, OutputArray lines) CV_OVERRIDE
     {
-        checkOutput(lines);
-        withMemoryFor("edges", edges.size(),
-                      [&]()
-                      {
-                          EdgeMap map;
-                          const Ptr<const Plan> plan = count(edges, -1, map);
-                          std::vector<Vec3f> found;
-                          findLines(map, *plan, found);
-                          writeLines(found, lines);
-                      });
+        const Gradients none = {false, Mat(), Mat()};
+        detectLines(edges, none, lines);
+    }
+
+    void detect(InputArray edges, InputArray dx, InputArray dy, OutputArray lines) CV_OVERRIDE
+    {
+        const Gradients gradients = {true, dx.getMat(), dy.getMat()};
+        detectLines(edges, gradients, lines);
     }
 
     void compute(InputArray edges, OutputArray lineSpace) CV_OVERRIDE
@@ -178,6 +230,7 @@ public:
     LINESPACE_PARAMETER(int, Refine, refine)
     LINESPACE_PARAMETER(double, CandidateRatio, candidateRatio)
     LINESPACE_PARAMETER(int, PoolSize, poolSize)
+    LINESPACE_PARAMETER(double, OrientationTolerance, orientationTolerance)
     LINESPACE_PARAMETER(double, FalseAlarms, falseAlarms)
     LINESPACE_PARAMETER(bool, EdgeWeights, edgeWeights)
     LINESPACE_PARAMETER(int, MemoryLimit, memoryLimit)
@@ -226,8 +279,8 @@ public:
            << p.suppressionDistance;
         fs << "selection" << p.selection << "refine" << p.refine << "candidateRatio"
            << p.candidateRatio << "poolSize" << p.poolSize;
-        fs << "minTheta" << p.minTheta << "maxTheta" << p.maxTheta << "falseAlarms"
-           << p.falseAlarms;
+        fs << "minTheta" << p.minTheta << "maxTheta" << p.maxTheta << "orientationTolerance"
+           << p.orientationTolerance << "falseAlarms" << p.falseAlarms;
         fs << "edgeWeights" << (int)p.edgeWeights << "memoryLimit" << p.memoryLimit;
     }
     void read(const FileNode& fn) CV_OVERRIDE
@@ -247,6 +300,7 @@ public:
         readInto(fn, "poolSize", p.poolSize);
         readInto(fn, "minTheta", p.minTheta);
         readInto(fn, "maxTheta", p.maxTheta);
+        readInto(fn, "orientationTolerance", p.orientationTolerance);
         readInto(fn, "falseAlarms", p.falseAlarms);
         readInto(fn, "edgeWeights", p.edgeWeights);
         readInto(fn, "memoryLimit", p.memoryLimit);
@@ -274,6 +328,20 @@ public:
     }
 
 private:
+    void detectLines(InputArray edges, const Gradients& gradients, OutputArray lines)
+    {
+        checkOutput(lines);
+        withMemoryFor("edges", edges.size(),
+                      [&]()
+                      {
+                          EdgeMap map;
+                          const Ptr<const Plan> plan = count(edges, gradients, -1, map);
+                          std::vector<Vec3f> found;
+                          findLines(map, *plan, found);
+                          writeLines(found, lines);
+                      });
+    }
+
     template<class Value>
     static void readInto(const FileNode& fn, const char* name, Value& value)
     {
@@ -318,9 +386,10 @@ private:
         return exact ? Plan::exact(size) : Plan::cascaded(size, parameters_.cellSize);
     }
 
-    void checkMemory(const Plan& plan, int level, double outputBytes) const
+    void checkMemory(const Plan& plan, bool oriented, int level, double outputBytes) const
     {
-        const double bytes = workingMemory(plan, parameters_.edgeWeights, level) + outputBytes;
+        const double bytes =
+            workingMemory(plan, parameters_.edgeWeights, oriented, level) + outputBytes;
         const double mebibytes = bytes / (1 << 20);
         if (mebibytes > parameters_.memoryLimit)
             CV_Error_(Error::StsNoMem,
@@ -332,7 +401,8 @@ private:
 
     /** Counts the votes of a level (-1: the last one) into result_. All that can be wrong with the
     arguments is found before anything of the detector changes. */
-    Ptr<const Plan> count(InputArray input, int level, EdgeMap& edges, bool writesTable = false)
+    Ptr<const Plan> count(InputArray input, const Gradients& gradients, int level, EdgeMap& edges,
+                          bool writesTable = false)
     {
         const Mat image = input.getMat();
         checkImage(image, "edges");
@@ -340,6 +410,7 @@ private:
             CV_Error_(Error::StsUnmatchedSizes,
                       ("mask has %d x %d pixels: must have the %d x %d of edges", mask_.cols,
                        mask_.rows, image.cols, image.rows));
+        gradients.check(image.size());
         // Border points are numbered by int.
         if ((int64)image.cols + image.rows > (1 << 28))
             CV_Error_(Error::StsOutOfRange,
@@ -351,11 +422,13 @@ private:
         checkRange(level, 0, plan->levelCount() - 1, "level",
                    "less than the number of levels of this image size");
         const double outputBytes = writesTable ? tableBytes(plan->level(level), image.size()) : 0;
-        checkMemory(*plan, level, outputBytes);
+        checkMemory(*plan, gradients.isOriented, level, outputBytes);
         const Ptr<Executor> executor = executorFor(parameters_.backend, executor_);
 
         edges.weighted = parameters_.edgeWeights;
         edges.votes = votingPixels(image);
+        if (gradients.isOriented)
+            edges.directions = gradients.bits(edges.votes, parameters_.orientationTolerance);
         countVotes(*executor, edges, *plan, parameters_.method == METHOD_EXACT, level, spare_,
                    result_);
         plan_ = plan;
@@ -408,7 +481,8 @@ private:
             CV_Error_(Error::StsUnsupportedFormat, ("the output has type %s: must be CV_32SC1",
                                                     typeToString(out.type()).c_str()));
         EdgeMap map;
-        const Ptr<const Plan> plan = count(edges, level, map, true);
+        const Gradients none = {false, Mat(), Mat()};
+        const Ptr<const Plan> plan = count(edges, none, level, map, true);
         const int l = level < 0 ? plan->levelCount() - 1 : level;
         const Level& shape = plan->level(l);
         const int points = shape.cell.borderCount();
@@ -425,6 +499,23 @@ private:
             out.assign(table);
     }
 
+    //! How many edge pixels vote for the chords of each bin; of a map that is not oriented, for
+    //! all.
+    static std::vector<int> votersOf(const EdgeMap& edges)
+    {
+        if (!edges.isOriented())
+            return std::vector<int>(1, countNonZero(edges.votes));
+        std::vector<int> voters(DIRECTION_BINS, 0);
+        for (int y = 0; y < edges.directions.rows; ++y)
+        {
+            const ushort* bits = edges.directions.ptr<ushort>(y);
+            for (int x = 0; x < edges.directions.cols; ++x)
+                for (int bin = 0; bits[x] >> bin; ++bin)
+                    voters[bin] += bits[x] >> bin & 1;
+        }
+        return voters;
+    }
+
     Requirement requirementFor(const EdgeMap& edges, const Plan& plan) const
     {
         Requirement requirement;
@@ -434,15 +525,24 @@ private:
         // Where the mask is 0 nothing can vote; a chord's length still counts it, which is on the
         // safe side.
         const double pixels = mask_.empty() ? (double)edges.votes.total() : countNonZero(mask_);
-        const double density = pixels > 0 ? countNonZero(edges.votes) / pixels : 0;
         const int longest = std::max(edges.votes.cols, edges.votes.rows);
-        requirement.byLength = significantVotes(longest, density, (double)plan.frame().chordCount(),
-                                                parameters_.falseAlarms);
+        const std::vector<int> voters = votersOf(edges);
         // Nothing shorter than the first length that can be significant needs to be looked at.
         requirement.threshold = INT_MAX;
-        for (int length = longest; length >= 0; --length)
-            if (requirement.byLength[length] <= length)
-                requirement.threshold = std::max(0, requirement.byLength[length] - 1);
+        for (size_t bin = 0; bin < voters.size(); ++bin)
+        {
+            const double density = pixels > 0 ? voters[bin] / pixels : 0;
+            const std::vector<int> votes = significantVotes(
+                longest, density, (double)plan.frame().chordCount(), parameters_.falseAlarms);
+            for (int length = 0; length <= longest; ++length)
+                if (votes[length] <= length)
+                {
+                    requirement.threshold =
+                        std::min(requirement.threshold, std::max(0, votes[length] - 1));
+                    break;
+                }
+            requirement.pixels.push_back(votes);
+        }
         return requirement;
     }
 

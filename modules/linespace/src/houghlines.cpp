@@ -51,7 +51,7 @@ std::vector<GridLine> countedLines(const EdgeMap& edges, const HoughGrid& grid, 
     // cascade alone.
     const bool isSparse = (double)pixels.count() * grid.angles < plan->frame().chordCount();
     const bool hasTable =
-        !isSparse && workingMemory(*plan, edges.weighted, last) <= MOST_TABLE_BYTES;
+        !isSparse && workingMemory(*plan, edges.weighted, false, last) <= MOST_TABLE_BYTES;
     if (hasTable)
     {
         const Ptr<Executor> executor = executorFor(BACKEND_AUTO, Ptr<Executor>());

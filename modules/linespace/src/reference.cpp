@@ -53,6 +53,7 @@ public:
                 forEachChord(cell,
                              [&](Chord chord)
                              {
+                                 const ushort bit = directionBit(cell, chord);
                                  int sum = 0;
                                  Raster(cell, chord)
                                      .forEachPixel(
@@ -60,7 +61,9 @@ public:
                                          {
                                              x += column * cell.width;
                                              y += row * cell.height;
-                                             if (x < edges.votes.cols && y < edges.votes.rows)
+                                             if (x < edges.votes.cols && y < edges.votes.rows &&
+                                                 (!edges.isOriented() ||
+                                                  (edges.directions.at<ushort>(y, x) & bit)))
                                                  sum += edges.votes.at<uchar>(y, x);
                                          });
                                  setVotes(table, cell.chordIndex(chord.s, chord.e),

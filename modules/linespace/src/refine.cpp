@@ -52,13 +52,35 @@ void forEachPixelNear(Size image, const Line& line, double distance, Visit visit
     }
 }
 
-Moments supportOf(const EdgeMap& edges, const Line& line)
+//! Which edge pixels can support a line: of an oriented map, those that vote for its bin.
+class Support
+{
+public:
+    Support(const EdgeMap& edges, const Line& line) : edges_(edges), bit_(0)
+    {
+        const double scale = 1 << 20;
+        if (edges.isOriented())
+            bit_ = (ushort)(1 << directionBin(cvRound(-scale * std::sin(line.theta)),
+                                              cvRound(scale * std::cos(line.theta))));
+    }
+    bool has(int x, int y) const
+    {
+        return edges_.votes.ptr<uchar>(y)[x] != 0 &&
+               (!bit_ || (edges_.directions.ptr<ushort>(y)[x] & bit_));
+    }
+
+private:
+    const EdgeMap& edges_;
+    ushort bit_;
+};
+
+Moments momentsOf(const Support& support, Size image, const Line& line)
 {
     Moments sum = {0, 0, 0, 0, 0, 0};
-    forEachPixelNear(edges.votes.size(), line, SUPPORT_DISTANCE,
+    forEachPixelNear(image, line, SUPPORT_DISTANCE,
                      [&](int64 x, int64 y)
                      {
-                         if (!edges.votes.ptr<uchar>((int)y)[x])
+                         if (!support.has((int)x, (int)y))
                              return;
                          ++sum.n;
                          sum.x += x;
@@ -95,13 +117,14 @@ Line refineLine(const EdgeMap& edges, const Line& line)
     if (!clipLine(std::cos(line.theta), std::sin(line.theta), line.rho, edges.votes.size(), ends))
         return line;
     Line refined = line;
+    const Support support(edges, line);
     Moments last = {0, 0, 0, 0, 0, 0};
     for (int i = 0; i < MAX_ITERATIONS; ++i)
     {
-        const Moments support = supportOf(edges, refined);
-        if (support == last || !fitLine(support, refined))
+        const Moments moments = momentsOf(support, edges.votes.size(), refined);
+        if (moments == last || !fitLine(moments, refined))
             break;
-        last = support;
+        last = moments;
     }
     const double cosine = std::cos(refined.theta), sine = std::sin(refined.theta);
     const bool moved = std::abs(cosine * ends.first.x + sine * ends.first.y - refined.rho) > 1 ||
@@ -111,8 +134,13 @@ Line refineLine(const EdgeMap& edges, const Line& line)
 
 void removeSupport(EdgeMap& edges, const Line& line)
 {
+    const Support support(edges, line);
     forEachPixelNear(edges.votes.size(), line, EXPLAINED_DISTANCE,
-                     [&](int x, int y) { edges.votes.ptr<uchar>(y)[x] = 0; });
+                     [&](int x, int y)
+                     {
+                         if (support.has(x, y))
+                             edges.votes.ptr<uchar>(y)[x] = 0;
+                     });
 }
 
 } // namespace linespace

@@ -8,6 +8,7 @@
 #define OPENCV_LINESPACE_SELECTION_HPP
 
 #include "line_geometry.hpp"
+#include "orientation.hpp"
 #include "peaks.hpp"
 
 #include <functional>
@@ -19,8 +20,10 @@ namespace linespace {
 least as many as its length asks for. */
 struct Requirement
 {
-    int threshold;             //!< votes must be more than this, for any chord
-    std::vector<int> byLength; //!< empty, or by the number of pixels of the chord in the image
+    int threshold; //!< votes must be more than this, for any chord
+    //! Empty, or by the chord's bin (one for all if the map is not oriented) and its number of
+    //! pixels in the image.
+    std::vector<std::vector<int>> pixels;
 
     /** For the cascade's votes: whether the chord can meet the requirement.
     @param ratio share of the required votes that is enough, 0 to 1. Weights are at least 1, so
@@ -28,7 +31,7 @@ struct Requirement
     bool canBeMet(const Plan& plan, const Candidate& candidate, double ratio) const
     {
         return candidate.votes > cvFloor(ratio * threshold) &&
-               (byLength.empty() || candidate.votes >= ratio * pixelsNeeded(plan, candidate));
+               (pixels.empty() || candidate.votes >= ratio * pixelsNeeded(plan, candidate));
     }
 
     //! For exact votes. The statistical rule counts pixels, whatever their weights.
@@ -36,14 +39,16 @@ struct Requirement
     {
         if (!canBeMet(plan, candidate, 1))
             return false;
-        return byLength.empty() || !edges.weighted ||
+        return pixels.empty() || !edges.weighted ||
                chordPixels(edges, plan.frame(), candidate.chord()) >= pixelsNeeded(plan, candidate);
     }
 
 private:
     int pixelsNeeded(const Plan& plan, const Candidate& candidate) const
     {
-        return byLength[plan.visibleLength(candidate.chord())];
+        const Chord chord = candidate.chord();
+        const int bin = pixels.size() > 1 ? directionBin(plan.frame(), chord) : 0;
+        return pixels[bin][plan.visibleLength(chord)];
     }
 };
 

@@ -28,7 +28,7 @@ void countVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, bool
     }
 }
 
-double workingMemory(const Plan& plan, bool weighted, int level)
+double workingMemory(const Plan& plan, bool weighted, bool oriented, int level)
 {
     EdgeMap edges;
     edges.weighted = weighted;
@@ -40,20 +40,25 @@ double workingMemory(const Plan& plan, bool weighted, int level)
         most[l % 2] = std::max(most[l % 2], bytes);
     }
     const double pixels = (double)plan.frame().width * plan.frame().height;
-    return most[0] + most[1] + 2 * pixels;
+    // Votes and directions as they come, and in the order of the table.
+    return most[0] + most[1] + (oriented ? 6 : 2) * pixels;
 }
 
 namespace {
 
-//! Calls visit(value) for every pixel of a chord that lies in the image.
+//! Calls visit(value) for every pixel of a chord that lies in the image and votes for its bin.
 template<class Visit>
-void forEachVote(const Mat& votes, const Cell& frame, Chord chord, Visit visit)
+void forEachVote(const EdgeMap& edges, const Cell& frame, Chord chord, Visit visit)
 {
+    const Mat& votes = edges.votes;
+    const bool isOriented = edges.isOriented();
+    const ushort bit = isOriented ? directionBit(frame, chord) : 0;
     Raster(frame, chord)
         .forEachPixel(
             [&](int x, int y)
             {
-                if (x < votes.cols && y < votes.rows)
+                if (x < votes.cols && y < votes.rows &&
+                    (!isOriented || (edges.directions.ptr<ushort>(y)[x] & bit)))
                     visit(votes.ptr<uchar>(y)[x]);
             });
 }
@@ -63,14 +68,14 @@ void forEachVote(const Mat& votes, const Cell& frame, Chord chord, Visit visit)
 int chordVotes(const EdgeMap& edges, const Cell& frame, Chord chord)
 {
     int sum = 0;
-    forEachVote(edges.votes, frame, chord, [&](uchar value) { sum += value; });
+    forEachVote(edges, frame, chord, [&](uchar value) { sum += value; });
     return sum;
 }
 
 int chordPixels(const EdgeMap& edges, const Cell& frame, Chord chord)
 {
     int count = 0;
-    forEachVote(edges.votes, frame, chord, [&](uchar value) { count += value != 0; });
+    forEachVote(edges, frame, chord, [&](uchar value) { count += value != 0; });
     return count;
 }
 

@@ -16,7 +16,7 @@
 #define OPENCV_LINESPACE_STAGES_HPP
 
 #include "memory.hpp"
-#include "plan.hpp"
+#include "orientation.hpp"
 
 namespace cv {
 namespace linespace {
@@ -66,6 +66,11 @@ struct EdgeMap
 {
     Mat votes;
     bool weighted;
+    //! CV_16UC1 of the same size, continuous: a pixel votes for the chords of the bins in its bits
+    //! (orientation.hpp); empty: for all.
+    Mat directions;
+
+    bool isOriented() const { return !directions.empty(); }
     //! Bytes that hold `count` edge pixels' votes.
     int depthFor(int count) const
     {
@@ -84,7 +89,8 @@ public:
     //! One of enum Backend.
     virtual int backend() const = 0;
 
-    /** Level 0 of the cascade: the votes of every chord of every cell, by its raster. Pixels of
+    /** Level 0 of the cascade: the votes of every chord of every cell, by its raster; of an
+    oriented map, of the pixels that vote for the bin of that chord of the cell. Pixels of
     cells beyond the image are 0. `table` is allocated for level 0. */
     virtual void firstCells(const EdgeMap& edges, const Plan& plan, VoteTable& table) = 0;
 
@@ -94,10 +100,11 @@ public:
     virtual void mergeCells(const Plan& plan, int level, const VoteTable& child,
                             VoteTable& parent) = 0;
 
-    /** METHOD_EXACT: the votes of every chord of the plan's only cell, by its raster. */
+    /** METHOD_EXACT: the votes of every chord of the plan's only cell, by its raster; of an
+    oriented map, of the pixels that vote for the chord's bin. */
     virtual void exactVotes(const EdgeMap& edges, const Plan& plan, VoteTable& table) = 0;
 
-    //! Exact votes of some chords of the frame, one result each, by their raster.
+    //! The same as exactVotes for some chords of the frame, one result each.
     virtual void rescore(const EdgeMap& edges, const Plan& plan, const std::vector<Chord>& chords,
                          std::vector<int>& votes) = 0;
 
@@ -115,12 +122,13 @@ void countVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, bool
                 VoteTable& spare, VoteTable& result);
 
 //! Bytes that countVotes needs for its two tables and its copies of the edge map.
-double workingMemory(const Plan& plan, bool weighted, int level);
+double workingMemory(const Plan& plan, bool weighted, bool oriented, int level);
 
-//! Votes of a chord of the frame on the edge map; pixels beyond the image are 0.
+//! Votes of a chord of the frame on the edge map, of the pixels that vote for its bin; pixels
+//! beyond the image are 0.
 int chordVotes(const EdgeMap& edges, const Cell& frame, Chord chord);
 
-//! The number of edge pixels on a chord, whatever their weights.
+//! The number of those pixels, whatever their weights.
 int chordPixels(const EdgeMap& edges, const Cell& frame, Chord chord);
 
 } // namespace linespace

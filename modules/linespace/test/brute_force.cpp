@@ -28,16 +28,21 @@ int64 floorDivide(int64 numerator, int64 denominator)
 }
 
 //! The cell's own pixels: level 0 counts nothing outside.
-void rasterInside(const Rect& cell, const Doubled& p, const Doubled& q, std::vector<Point>& pixels)
+void rasterInside(const Rect& cell, const Doubled& p, const Doubled& q,
+                  std::vector<BinnedPixel>& pixels)
 {
     const std::vector<Step> steps = raster(p, q);
+    const int bin = directionBin(q - p);
     for (size_t i = 0; i < steps.size(); ++i)
         if (cell.contains(steps[i].pixel))
-            pixels.push_back(steps[i].pixel);
+        {
+            const BinnedPixel pixel = {steps[i].pixel, bin};
+            pixels.push_back(pixel);
+        }
 }
 
 void walk(const Cascade& cascade, int level, const Rect& cell, const Doubled& p, const Doubled& q,
-          std::vector<Point>& pixels)
+          std::vector<BinnedPixel>& pixels)
 {
     if (level == 0)
     {
@@ -160,24 +165,86 @@ int pixelValue(const Mat& edges, const Point& pixel, bool weighted)
     return weighted ? value : value != 0;
 }
 
-int chordVotes(const Mat& edges, const Size& frame, int s, int e, bool weighted)
+int directionBin(const Doubled& direction)
+{
+    const bool isDown = direction.y > 0 || (direction.y == 0 && direction.x > 0);
+    const int64 x = isDown ? direction.x : -direction.x, y = isDown ? direction.y : -direction.y;
+    for (int bin = 15; bin > 0; --bin)
+    {
+        const double end = bin * CV_PI / 16;
+        if (cvRound(32768 * std::cos(end)) * y >= cvRound(32768 * std::sin(end)) * x)
+            return bin;
+    }
+    return 0;
+}
+
+bool votesForBin(const Point2d& gradient, int bin, double tolerance)
+{
+    int64 x = cvRound(gradient.x), y = cvRound(gradient.y);
+    const bool isShort = gradient.x == saturate_cast<short>(gradient.x) &&
+                         gradient.y == saturate_cast<short>(gradient.y);
+    if (!isShort)
+    {
+        Point2d scaled = gradient;
+        while (std::max(std::abs(scaled.x), std::abs(scaled.y)) >= 32768)
+            scaled *= 0.5;
+        while (std::max(std::abs(scaled.x), std::abs(scaled.y)) < 16384)
+            scaled *= 2.;
+        x = std::min(cvRound(scaled.x), 32767);
+        y = std::min(cvRound(scaled.y), 32767);
+    }
+    const double centre = (bin + 0.5) * CV_PI / 16, sine = std::sin(tolerance * CV_PI / 180);
+    const int64 product =
+        x * cvRound(16384 * std::cos(centre)) + y * cvRound(16384 * std::sin(centre));
+    return tolerance >= 90 ||
+           product * product <= cvRound(sine * sine * (1 << 28)) * (x * x + y * y);
+}
+
+Mat1w directions(const Mat& dx, const Mat& dy, double tolerance)
+{
+    Mat realX, realY;
+    dx.convertTo(realX, CV_64F);
+    dy.convertTo(realY, CV_64F);
+    Mat1w bits(dx.size(), (ushort)0);
+    for (int y = 0; y < dx.rows; ++y)
+        for (int x = 0; x < dx.cols; ++x)
+            for (int bin = 0; bin < 16; ++bin)
+                if (votesForBin(Point2d(realX.at<double>(y, x), realY.at<double>(y, x)), bin,
+                                tolerance))
+                    bits(y, x) |= (ushort)(1 << bin);
+    return bits;
+}
+
+//! The value of a pixel that votes for the bin.
+static int pixelVotes(const Mat& edges, const Point& pixel, int bin, bool weighted,
+                      const Mat& directions)
+{
+    const int value = pixelValue(edges, pixel, weighted);
+    return directions.empty() || value == 0 || (directions.at<ushort>(pixel) >> bin & 1) ? value
+                                                                                         : 0;
+}
+
+int chordVotes(const Mat& edges, const Size& frame, int s, int e, bool weighted,
+               const Mat& directions)
 {
     if (!isChord(frame, s, e))
         return 0;
-    const std::vector<Step> steps = raster(borderPoint(frame, s), borderPoint(frame, e));
+    const Doubled p = borderPoint(frame, s), q = borderPoint(frame, e);
+    const std::vector<Step> steps = raster(p, q);
+    const int bin = directionBin(q - p);
     int votes = 0;
     for (size_t i = 0; i < steps.size(); ++i)
-        votes += pixelValue(edges, steps[i].pixel, weighted);
+        votes += pixelVotes(edges, steps[i].pixel, bin, weighted, directions);
     return votes;
 }
 
-Mat1i exactTable(const Mat& edges, const Size& frame, bool weighted)
+Mat1i exactTable(const Mat& edges, const Size& frame, bool weighted, const Mat& directions)
 {
     const int points = borderCount(frame);
     Mat1i table(points, points, 0);
     for (int s = 0; s < points; ++s)
         for (int e = s + 1; e < points; ++e)
-            table(s, e) = table(e, s) = chordVotes(edges, frame, s, e, weighted);
+            table(s, e) = table(e, s) = chordVotes(edges, frame, s, e, weighted, directions);
     return table;
 }
 
@@ -247,7 +314,7 @@ Cascade cascadeOf(const Size& image, int wantedCell)
 }
 
 void cascadePixels(const Cascade& cascade, int level, const Point& cell, int s, int e,
-                   std::vector<Point>& pixels)
+                   std::vector<BinnedPixel>& pixels)
 {
     const Size size = cascade.cellSize(level);
     pixels.clear();
@@ -259,12 +326,13 @@ void cascadePixels(const Cascade& cascade, int level, const Point& cell, int s, 
          pixels);
 }
 
-Mat1i cascadeTable(const Mat& edges, const Cascade& cascade, int level, bool weighted)
+Mat1i cascadeTable(const Mat& edges, const Cascade& cascade, int level, bool weighted,
+                   const Mat& directions)
 {
     const Size grid = cascade.gridSize(level);
     const int points = borderCount(cascade.cellSize(level));
     Mat1i table(grid.height * points, grid.width * points, 0);
-    std::vector<Point> pixels;
+    std::vector<BinnedPixel> pixels;
     for (int row = 0; row < grid.height; ++row)
         for (int column = 0; column < grid.width; ++column)
             for (int s = 0; s < points; ++s)
@@ -273,7 +341,8 @@ Mat1i cascadeTable(const Mat& edges, const Cascade& cascade, int level, bool wei
                     cascadePixels(cascade, level, Point(column, row), s, e, pixels);
                     int votes = 0;
                     for (size_t i = 0; i < pixels.size(); ++i)
-                        votes += pixelValue(edges, pixels[i], weighted);
+                        votes +=
+                            pixelVotes(edges, pixels[i].pixel, pixels[i].bin, weighted, directions);
                     table(row * points + s, column * points + e) = votes;
                     table(row * points + e, column * points + s) = votes;
                 }

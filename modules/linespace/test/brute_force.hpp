@@ -48,10 +48,21 @@ bool stepsAlongX(const Doubled& p, const Doubled& q, DiagonalRule rule = DIAGONA
 
 //! Value of a pixel, 0 outside the image.
 int pixelValue(const cv::Mat& edges, const cv::Point& pixel, bool weighted = false);
-//! Votes of one chord of a frame by its raster.
-int chordVotes(const cv::Mat& edges, const cv::Size& frame, int s, int e, bool weighted = false);
+
+//! The direction bin of a chord: 0 .. 15, of pi / 16 each.
+int directionBin(const Doubled& direction);
+//! Whether an edge pixel with this gradient votes for chords of a bin; tolerance in degrees.
+bool votesForBin(const cv::Point2d& gradient, int bin, double tolerance);
+//! votesForBin for all pixels and bins, a bit for each bin.
+cv::Mat1w directions(const cv::Mat& dx, const cv::Mat& dy, double tolerance);
+
+//! Votes of one chord of a frame by its raster; with directions, of the pixels that vote for its
+//! bin.
+int chordVotes(const cv::Mat& edges, const cv::Size& frame, int s, int e, bool weighted = false,
+               const cv::Mat& directions = cv::Mat());
 //! The whole table of a frame by chordVotes, both triangles.
-cv::Mat1i exactTable(const cv::Mat& edges, const cv::Size& frame, bool weighted = false);
+cv::Mat1i exactTable(const cv::Mat& edges, const cv::Size& frame, bool weighted = false,
+                     const cv::Mat& directions = cv::Mat());
 
 //! How one axis is cut: 2^merges cells of `cell` pixels.
 struct Axis
@@ -77,13 +88,18 @@ struct Cascade
 };
 Cascade cascadeOf(const cv::Size& image, int wantedCell);
 
+struct BinnedPixel
+{
+    cv::Point pixel;
+    int bin; //!< of the part of the chord that counts it, in a cell of level 0
+};
 //! The pixels on a chord of a cell of a level, top-down by the definition of the merge; also such
 //! in the padding.
 void cascadePixels(const Cascade& cascade, int level, const cv::Point& cell, int s, int e,
-                   std::vector<cv::Point>& pixels);
+                   std::vector<BinnedPixel>& pixels);
 //! All cells and chords of one level in the layout of LineSpaceDetector::computeLevel.
 cv::Mat1i cascadeTable(const cv::Mat& edges, const Cascade& cascade, int level,
-                       bool weighted = false);
+                       bool weighted = false, const cv::Mat& directions = cv::Mat());
 
 struct Candidate
 {

@@ -398,6 +398,21 @@ TEST(Linespace_BadParameter, setters)
                                                {
                                                    d.setAngleRange(0.5, 0.25);
                                                }},
+                                              {"orientationTolerance", "0",
+                                               [](D& d)
+                                               {
+                                                   d.setOrientationTolerance(0);
+                                               }},
+                                              {"orientationTolerance", "90.5",
+                                               [](D& d)
+                                               {
+                                                   d.setOrientationTolerance(90.5);
+                                               }},
+                                              {"orientationTolerance", "nan",
+                                               [](D& d)
+                                               {
+                                                   d.setOrientationTolerance(notANumber);
+                                               }},
                                               {"alseAlarms", "0",
                                                [](D& d)
                                                {

@@ -68,7 +68,7 @@ TEST_P(Linespace_VoteBound, white_image)
     Mat lower = half.rowRange(half.rows / 2, half.rows);
     bitwise_not(lower, lower);
     RNG rng(5);
-    std::vector<Point> pixels;
+    std::vector<brute::BinnedPixel> pixels;
     for (int level = 0; level < cascade.levelCount(); ++level)
     {
         const Mat table = levelVotes(*detector, edges, level);
@@ -108,7 +108,7 @@ INSTANTIATE_TEST_CASE_P(/**/, Linespace_VoteBound,
 TEST(Linespace_VoteBound_Reached, votes_exceed_the_side)
 {
     int most = 0;
-    std::vector<Point> pixels;
+    std::vector<brute::BinnedPixel> pixels;
     const brute::Cascade cascade = brute::cascadeOf(Size(512, 512), 8);
     const Size frame = cascade.frame();
     for (int s = 0; s < frame.width; s += 3)

@@ -8,6 +8,7 @@
 #include "test_precomp.hpp"
 
 #include "brute_force.hpp"
+#include "expected_lines.hpp"
 #include "generators.hpp"
 #include "test_support.hpp"
 
@@ -18,97 +19,6 @@ namespace {
 
 using namespace generators;
 using brute::Candidate;
-
-typedef std::vector<Vec3f> Lines;
-
-Lines detectLines(LineSpaceDetector& detector, const Mat& edges)
-{
-    Lines lines;
-    detector.detect(edges, lines);
-    return lines;
-}
-
-// A map with a few lines and noise, small enough for brute force.
-Mat1b smallScene(unsigned seed = 1)
-{
-    std::vector<Vec2d> lines;
-    return linesInNoise(Size(46, 37), 4, 0.08, seed, lines);
-}
-
-void expectSameLines(const Lines& actual, const Lines& expected, const std::string& what)
-{
-    ASSERT_EQ(expected.size(), actual.size()) << what;
-    for (size_t i = 0; i < expected.size(); ++i)
-        ASSERT_EQ(expected[i], actual[i]) << what << ", line " << i; // tolerance 0
-}
-
-void expectChords(const Lines& lines, const std::vector<Candidate>& expected, const Size& frame,
-                  const std::string& what)
-{
-    for (size_t i = 0; i < std::min(lines.size(), expected.size()); ++i)
-    {
-        int s = -1, e = -1;
-        ASSERT_TRUE(brute::chordOf(frame, lines[i], s, e))
-            << what << ", line " << i << " " << lines[i];
-        ASSERT_EQ(expected[i].s, s) << what << ", line " << i << " of " << expected.size();
-        ASSERT_EQ(expected[i].e, e) << what << ", line " << i << " of " << expected.size();
-        ASSERT_EQ((float)expected[i].votes, lines[i][2]) << what << ", line " << i;
-    }
-    ASSERT_EQ(expected.size(), lines.size()) << what;
-}
-
-enum Thinning
-{
-    THIN_NOT,
-    THIN_RING,
-    THIN_BLOCKS,
-    THIN_GREEDY
-};
-
-// The selection of section 4 without near-duplicates, from brute-force tables.
-class Selection
-{
-public:
-    Selection(const Mat& edges, int method, int cellSize, bool weighted = false)
-    {
-        const brute::Cascade cascade = brute::cascadeOf(edges.size(), cellSize);
-        frame = method == METHOD_EXACT ? edges.size() : cascade.frame();
-        exact = brute::exactTable(edges, frame, weighted);
-        table = method == METHOD_EXACT
-                    ? exact
-                    : brute::cascadeTable(edges, cascade, cascade.levelCount() - 1, weighted);
-    }
-
-    //! pool 0: every candidate is counted exactly.
-    std::vector<Candidate> select(int threshold, double ratio, int thinning, int radius,
-                                  size_t pool = 0) const
-    {
-        std::vector<Candidate> all = brute::chordsAbove(table, frame, ratio * threshold);
-        if (thinning == THIN_RING)
-            all = brute::ringMaxima(table, all, radius);
-        else if (thinning == THIN_BLOCKS)
-            all = brute::blockMaxima(all, radius);
-        else if (thinning == THIN_GREEDY)
-            all = brute::greedyMaxima(all, table.rows, radius);
-        std::sort(all.begin(), all.end(), brute::isStronger);
-        if (pool > 0 && all.size() > pool)
-            all.resize(pool);
-        std::vector<Candidate> kept;
-        for (size_t i = 0; i < all.size(); ++i)
-        {
-            all[i].votes = exact(all[i].s, all[i].e);
-            if (all[i].votes > threshold)
-                kept.push_back(all[i]);
-        }
-        std::sort(kept.begin(), kept.end(), brute::isStronger);
-        return kept;
-    }
-
-    Size frame;
-
-private:
-    Mat1i exact, table;
-};
 
 class Linespace_Detect : public testing::TestWithParam<tuple<int, int>> // back end, method
 {

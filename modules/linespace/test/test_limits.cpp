@@ -47,7 +47,7 @@ TEST_P(Linespace_Limits, sampled_chords_of_every_level)
         LineSpaceDetector::create(1, 0, METHOD_CASCADED, limit.cellSize, backend);
     const brute::Cascade cascade = brute::cascadeOf(limit.size, limit.cellSize);
     RNG rng(6);
-    std::vector<Point> pixels;
+    std::vector<brute::BinnedPixel> pixels;
     for (int level = 0; level < cascade.levelCount(); ++level)
     {
         Mat table;
@@ -62,7 +62,7 @@ TEST_P(Linespace_Limits, sampled_chords_of_every_level)
             brute::cascadePixels(cascade, level, cell, s, e, pixels);
             int expected = 0;
             for (size_t j = 0; j < pixels.size(); ++j)
-                expected += brute::pixelValue(edges, pixels[j]);
+                expected += brute::pixelValue(edges, pixels[j].pixel);
             ASSERT_EQ(expected, table.at<int>(cell.y * points + s, cell.x * points + e))
                 << "level " << level << ", cell " << cell << ", chord (" << s << ", " << e << "), "
                 << backendName(backend);

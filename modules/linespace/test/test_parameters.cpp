@@ -32,8 +32,9 @@ std::string describe(const LineSpaceDetector& detector)
         << detector.getSuppressionDistance() << ", refine " << detector.getRefine()
         << ", selection " << detector.getSelection() << ", ratio " << detector.getCandidateRatio()
         << ", pool " << detector.getPoolSize() << ", range " << minTheta << " " << maxTheta
-        << ", falseAlarms " << detector.getFalseAlarms() << ", weights "
-        << detector.getEdgeWeights() << ", memory " << detector.getMemoryLimit();
+        << ", tolerance " << detector.getOrientationTolerance() << ", falseAlarms "
+        << detector.getFalseAlarms() << ", weights " << detector.getEdgeWeights() << ", memory "
+        << detector.getMemoryLimit();
     return out.str();
 }
 
@@ -53,6 +54,7 @@ void setEverything(LineSpaceDetector& detector)
     detector.setCandidateRatio(0.1);
     detector.setPoolSize(99);
     detector.setAngleRange(-1.0 / 7, 2.0 / 3);
+    detector.setOrientationTolerance(100.0 / 7);
     detector.setFalseAlarms(1e-3);
     detector.setEdgeWeights(true);
     detector.setMemoryLimit(123);
@@ -77,6 +79,7 @@ TEST(Linespace_Parameters, defaults)
     EXPECT_EQ(4096, detector->getPoolSize());
     EXPECT_EQ(0, minTheta);
     EXPECT_EQ(CV_PI, maxTheta);
+    EXPECT_EQ(22.5, detector->getOrientationTolerance());
     EXPECT_EQ(1, detector->getFalseAlarms());
     EXPECT_FALSE(detector->getEdgeWeights());
     EXPECT_EQ(8192, detector->getMemoryLimit());
@@ -101,7 +104,8 @@ TEST(Linespace_Parameters, create_and_set)
         "threshold 17, maxLines 23, method 0, cellSize 11, backend 1, suppression 2, radius 5, "
         "distance 0.33333333333333331, refine 0, selection 1, ratio 0.10000000000000001, pool 99, "
         "range "
-        "-0.14285714285714285 0.66666666666666663, falseAlarms 0.001, weights 1, memory 123",
+        "-0.14285714285714285 0.66666666666666663, tolerance 14.285714285714286, falseAlarms "
+        "0.001, weights 1, memory 123",
         describe(*detector));
 }
 
@@ -122,6 +126,8 @@ TEST(Linespace_Parameters, ends_of_the_ranges)
     EXPECT_NO_THROW(detector->setPoolSize(INT_MAX));
     EXPECT_NO_THROW(detector->setAngleRange(2, 2));
     EXPECT_NO_THROW(detector->setAngleRange(-1e6, 1e6));
+    EXPECT_NO_THROW(detector->setOrientationTolerance(DBL_MIN));
+    EXPECT_NO_THROW(detector->setOrientationTolerance(90));
     EXPECT_NO_THROW(detector->setFalseAlarms(DBL_MIN));
     EXPECT_NO_THROW(detector->setMemoryLimit(1));
     EXPECT_NO_THROW(detector->setMemoryLimit(INT_MAX));

@@ -104,6 +104,21 @@ public:
     */
     CV_WRAP virtual void detect(InputArray edges, OutputArray lines) = 0;
 
+    /** @brief Finds lines whose edge pixels also have the line's direction (section 6).
+
+    An edge pixel votes for a chord only if its edge, orthogonal to the gradient (dx, dy), makes an
+    angle of at most setOrientationTolerance() with it, up to half a direction bin (5.6 degrees).
+    That keeps the pixels of other edges, of texture and noise from adding up to a line.
+    @param edges as for detect above.
+    @param dx,dy the gradient of the image at each pixel, e.g. of cv::Sobel: both CV_16SC1 or both
+    CV_32FC1, of the size of edges; its length does not matter; a zero gradient votes for every
+    direction. Only the gradients at edge pixels are read; they must be finite. Both empty
+    (noArray()): they are estimated from the edge map, by its structure tensor.
+    @param lines as for detect above; votes are the edge pixels of the right direction.
+    */
+    CV_WRAP virtual void detect(InputArray edges, InputArray dx, InputArray dy,
+                                OutputArray lines) = 0;
+
     /** @brief The table of votes LS(s, e) over all pairs of border points of the frame.
     @param edges as for detect.
     @param lineSpace B x B CV_32SC1, B = 2 (width + height) of getFrameSize(); symmetric; pairs on
@@ -198,6 +213,11 @@ public:
     pi or more means all directions, once each, in [minTheta, minTheta + pi). Default 0 to pi. */
     CV_WRAP virtual void setAngleRange(double minTheta, double maxTheta) = 0;
     CV_WRAP virtual void getAngleRange(CV_OUT double& minTheta, CV_OUT double& maxTheta) const = 0;
+
+    /** For detect with gradients: how far the direction of an edge pixel may be from that of the
+    lines that it votes for, in degrees, more than 0, at most 90. Default 22.5. */
+    CV_WRAP virtual void setOrientationTolerance(double degrees) = 0;
+    CV_WRAP virtual double getOrientationTolerance() const = 0;
 
     //! Expected number of false lines per image for threshold = 0, > 0. Default 1.
     CV_WRAP virtual void setFalseAlarms(double epsilon) = 0;

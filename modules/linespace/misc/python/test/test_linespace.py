@@ -38,6 +38,24 @@ class LineSpaceTest(unittest.TestCase):
                 results[name] = lines
         np.testing.assert_array_equal(results["numpy"], results["UMat"])
 
+    def test_oriented_voting(self):
+        detector = cv2.linespace.LineSpaceDetector_create(threshold=80)
+        blurred = cv2.GaussianBlur(self.edges, (5, 5), 0)
+        for depth in (cv2.CV_16S, cv2.CV_32F):
+            dx, dy = cv2.Sobel(blurred, depth, 1, 0), cv2.Sobel(blurred, depth, 0, 1)
+            # Wherever the gradient has a direction, it is that of the vertical line.
+            dy[:] = 0
+            for name, edges in self.inputs():
+                with self.subTest(name, depth=depth):
+                    wrap = cv2.UMat if name == "UMat" else np.asarray
+                    lines = to_numpy(detector.detect(edges, wrap(dx), wrap(dy)))
+                    self.assertEqual((1, 1, 3), lines.shape)
+                    self.assertAlmostEqual(30, abs(float(lines[0, 0, 0])), delta=0.5)
+        estimated = detector.detect(self.edges, None, None)
+        self.assertEqual(2, len(estimated))
+        with self.assertRaises(cv2.error):
+            detector.detect(self.edges, dx, dy[1:])
+
     def test_compute_is_symmetric_and_counts_the_line(self):
         detector = cv2.linespace.LineSpaceDetector_create()
         tables = [to_numpy(detector.compute(edges)) for _, edges in self.inputs()]

@@ -1,0 +1,85 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+#include "test_precomp.hpp"
+
+#include "expected_lines.hpp"
+
+#include "generators.hpp"
+
+namespace opencv_test {
+
+using brute::Candidate;
+
+Lines detectLines(LineSpaceDetector& detector, const Mat& edges)
+{
+    Lines lines;
+    detector.detect(edges, lines);
+    return lines;
+}
+
+Mat1b smallScene(unsigned seed)
+{
+    std::vector<Vec2d> lines;
+    return generators::linesInNoise(Size(46, 37), 4, 0.08, seed, lines);
+}
+
+void expectSameLines(const Lines& actual, const Lines& expected, const std::string& what)
+{
+    ASSERT_EQ(expected.size(), actual.size()) << what;
+    for (size_t i = 0; i < expected.size(); ++i)
+        ASSERT_EQ(expected[i], actual[i]) << what << ", line " << i; // tolerance 0
+}
+
+void expectChords(const Lines& lines, const std::vector<Candidate>& expected, const Size& frame,
+                  const std::string& what)
+{
+    for (size_t i = 0; i < std::min(lines.size(), expected.size()); ++i)
+    {
+        int s = -1, e = -1;
+        ASSERT_TRUE(brute::chordOf(frame, lines[i], s, e))
+            << what << ", line " << i << " " << lines[i];
+        ASSERT_EQ(expected[i].s, s) << what << ", line " << i << " of " << expected.size();
+        ASSERT_EQ(expected[i].e, e) << what << ", line " << i << " of " << expected.size();
+        ASSERT_EQ((float)expected[i].votes, lines[i][2]) << what << ", line " << i;
+    }
+    ASSERT_EQ(expected.size(), lines.size()) << what;
+}
+
+Selection::Selection(const Mat& edges, int method, int cellSize, bool weighted,
+                     const Mat& directions)
+{
+    const brute::Cascade cascade = brute::cascadeOf(edges.size(), cellSize);
+    frame = method == METHOD_EXACT ? edges.size() : cascade.frame();
+    exact = brute::exactTable(edges, frame, weighted, directions);
+    table = method == METHOD_EXACT ? exact
+                                   : brute::cascadeTable(edges, cascade, cascade.levelCount() - 1,
+                                                         weighted, directions);
+}
+
+std::vector<Candidate> Selection::select(int threshold, double ratio, int thinning, int radius,
+                                         size_t pool) const
+{
+    std::vector<Candidate> all = brute::chordsAbove(table, frame, ratio * threshold);
+    if (thinning == THIN_RING)
+        all = brute::ringMaxima(table, all, radius);
+    else if (thinning == THIN_BLOCKS)
+        all = brute::blockMaxima(all, radius);
+    else if (thinning == THIN_GREEDY)
+        all = brute::greedyMaxima(all, table.rows, radius);
+    std::sort(all.begin(), all.end(), brute::isStronger);
+    if (pool > 0 && all.size() > pool)
+        all.resize(pool);
+    std::vector<Candidate> kept;
+    for (size_t i = 0; i < all.size(); ++i)
+    {
+        all[i].votes = exact(all[i].s, all[i].e);
+        if (all[i].votes > threshold)
+            kept.push_back(all[i]);
+    }
+    std::sort(kept.begin(), kept.end(), brute::isStronger);
+    return kept;
+}
+
+} // namespace opencv_test
