@@ -113,6 +113,11 @@ Picture LineFinder::prepare(const cv::Mat& frame) const
         if (options_.blur > 0)
             cv::GaussianBlur(gray, gray, cv::Size(), options_.blur);
         cv::Canny(gray, picture.edges, options_.cannyLow, options_.cannyHigh);
+        if (options_.oriented)
+        {
+            cv::Sobel(gray, picture.dx, CV_16S, 1, 0);
+            cv::Sobel(gray, picture.dy, CV_16S, 0, 1);
+        }
     }
     if (!mask.empty())
         picture.edges &= mask;
@@ -126,7 +131,10 @@ Found LineFinder::find(const Picture& picture)
     detector_->setMask(picture.mask); // the statistical rule asks for the density inside of it
     cv::TickMeter time;
     time.start();
-    detector_->detect(picture.edges, found.lines);
+    if (options_.oriented)
+        detector_->detect(picture.edges, picture.dx, picture.dy, found.lines);
+    else
+        detector_->detect(picture.edges, found.lines);
     time.stop();
     cv::linespace::lineEndPoints(found.lines, picture.edges.size(), found.endPoints);
     found.size = picture.edges.size();

@@ -22,6 +22,7 @@ struct Picture
     cv::Mat colors; //!< CV_8UC3
     cv::Mat edges;  //!< CV_8UC1; pixels outside the mask are already 0, for cv::HoughLines
     cv::Mat mask;   //!< CV_8UC1 of that size, or empty
+    cv::Mat dx, dy; //!< CV_16SC1, the gradient; only for oriented voting and if the input has one
 };
 
 //! What was found in one picture.

@@ -44,6 +44,7 @@ Json parametersOf(const Options& o)
             {"maxLines", o.maxLines},
             {"angleRange", {o.minAngle, o.maxAngle}},
             {"selection", o.selection},
+            {"oriented", o.oriented},
             {"minDistance", o.minDistance},
             {"method", o.method},
             {"cellSize", o.cellSize},

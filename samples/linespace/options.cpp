@@ -212,6 +212,10 @@ std::optional<int> parse(int argc, char** argv, Options& o)
                             "peaks: for every line through it"),
              group, "NAME", o.selection)
         ->check(CLI::IsMember(listOf(selectionNames)));
+    app.add_flag("--oriented", o.oriented,
+                 "An edge pixel counts for lines of its own direction only, which\n"
+                 "is that of the image, or with --edge-map of the edges around it")
+        ->group(group);
     describe(app.add_option("--min-distance", o.minDistance,
                             "Drop a line that stays within this distance of a stronger one"),
              group, "PIXELS", brief(o.minDistance))

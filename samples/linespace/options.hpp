@@ -52,7 +52,8 @@ struct Options
     int maxLines = 20;
     std::string method = "cascaded";
     std::string selection = "explain"; // people want one line per edge
-    double minDistance = 3;            //!< pixels
+    bool oriented = false;
+    double minDistance = 3; //!< pixels
     int cellSize = 8;
     std::string backend = "auto";
     double minAngle = 0, maxAngle = 180; //!< degrees

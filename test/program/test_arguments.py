@@ -16,7 +16,7 @@ class Help(ProgramTest):
         self.assertEqual(err, "")
         for word in ("--output", "--lines", "--show-linespace", "--compare", "--hough-step",
                      "--quiet", "--canny", "--blur", "--resize", "--edge-map", "--mask",
-                     "--threshold", "--max-lines", "--angle-range", "--selection",
+                     "--threshold", "--max-lines", "--angle-range", "--selection", "--oriented",
                      "--min-distance", "--method", "--cell-size",
                      "--backend", "--version", "Examples:", "Exit status:"):
             self.assertIn(word, out)

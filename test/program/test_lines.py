@@ -61,6 +61,18 @@ class EdgeMap(ProgramTest):
         self.assertEqual(len(self.lines(threshold=63, selection="explain")), 1)
         self.assert_both_lines(self.lines(threshold=50, selection="explain"))
 
+    def test_oriented(self):
+        # Strokes of five pixels across: seen together they look like a line along the row.
+        comb = pictures.black(96, 64)
+        for x in range(0, 96, 2):
+            for y in range(18, 23):
+                comb[y][x] = 255
+        pictures.write_png(self.folder / "edges.png", pictures.vertical(comb, 30))
+        self.assertGreater(len(self.lines()), 1)
+        lines = self.lines("--oriented")
+        self.assertEqual(len(lines), 1)
+        self.assertAlmostEqual(abs(lines[0]["rho"]), 30, delta=0.5)
+
     def test_min_distance(self):
         pictures.write_png(self.folder / "edges.png", pictures.horizontal(
             pictures.horizontal(pictures.black(96, 64), 20), 25))
