@@ -35,14 +35,16 @@ double medianMilliseconds(const Search& search)
 
 using Hough = std::function<std::vector<cv::Vec3f>(int threshold)>;
 
-// cv::HoughLines has no rule of its own. Half the votes of our weakest line is low enough for it to
-// see the same lines, and high enough that it does not spend its time on sorting noise. Where that
-// gives fewer lines than are to be shown, half as many votes have to do, and so on.
+// A threshold that the user gave is the same for both. cv::HoughLines has no rule of its own: half the
+// votes of our weakest line is low enough for it to see the same lines, and high enough that it
+// does not spend its time on sorting noise. Where that gives fewer lines than are to be shown, half
+// as many votes have to do, and so on.
 int houghThreshold(const Options& options, const Found& ours, const Hough& hough)
 {
-    int threshold = options.threshold > 0 ? options.threshold
-                    : ours.lines.empty()  ? std::min(ours.size.width, ours.size.height) / 4
-                                          : cvFloor(ours.lines.back()[2] / 2);
+    if (options.threshold > 0)
+        return options.threshold;
+    int threshold = ours.lines.empty() ? std::min(ours.size.width, ours.size.height) / 4
+                                       : cvFloor(ours.lines.back()[2] / 2);
     while (threshold > 0 && hough(threshold).size() < static_cast<std::size_t>(options.maxLines))
         threshold /= 2;
     return threshold;
@@ -78,8 +80,9 @@ Comparison compare(const Options& options, const Picture& picture, const Found& 
     if (wanted > 0 && lines.size() > wanted)
         lines.resize(wanted);
 
-    const std::string theirs = format("cv::HoughLines, 1 px, %g deg: %zu lines, %.1f ms",
-                                      options.houghStep, lines.size(), theirTime);
+    const std::string theirs =
+        format("cv::HoughLines, 1 px, %g deg, above %d votes: %zu lines, %.1f ms",
+               options.houghStep, threshold, lines.size(), theirTime);
     const std::string own = format("Line Space, %s, %s: %zu lines, %.1f ms", options.method.c_str(),
                                    ours.backend.c_str(), ours.lines.size(), ourTime);
     Comparison result;

@@ -62,14 +62,14 @@ class EdgeMap(ProgramTest):
         self.assert_both_lines(self.lines(threshold=50, selection="explain"))
 
     def test_oriented(self):
-        # Strokes of five pixels across: seen together they look like a line along the row.
+        # Strokes of nine pixels: seen together they look like lines along the rows.
         comb = pictures.black(96, 64)
-        for x in range(0, 96, 2):
-            for y in range(18, 23):
+        for x in range(0, 96, 3):
+            for y in range(18, 27):
                 comb[y][x] = 255
         pictures.write_png(self.folder / "edges.png", pictures.vertical(comb, 30))
-        self.assertGreater(len(self.lines()), 1)
-        lines = self.lines("--oriented")
+        self.assertGreater(len(self.lines(threshold=25)), 1)
+        lines = self.lines("--oriented", threshold=25)
         self.assertEqual(len(lines), 1)
         self.assertAlmostEqual(abs(lines[0]["rho"]), 30, delta=0.5)
 
@@ -150,7 +150,7 @@ class LineFiles(ProgramTest):
         self.assertRegex(found["program"], r"^linespace \d")
         self.assertEqual(found["parameters"], {
             "threshold": 50, "maxLines": 3, "angleRange": [0, 180], "selection": "explain",
-            "minDistance": 3, "method": "cascaded", "cellSize": 8, "backend": "auto",
+            "oriented": False, "minDistance": 3, "method": "cascaded", "cellSize": 8, "backend": "auto",
             "edges": {"edgeMap": True}, "mask": None})
         self.assertEqual([image["image"] for image in found["images"]], self.inputs)
         for image in found["images"]:

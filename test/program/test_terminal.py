@@ -51,10 +51,10 @@ class Terminal(ProgramTest):
         return [state.split("\r")[0] for state in text.split("\r\x1b[K") if state]
 
     def test_bar_with_rate_and_time_left(self):
-        # The bar is drawn ten times a second: pictures that take longer on any machine, a second
-        # here.
+        # The bar is drawn ten times a second: pictures that take much longer on any machine.
         for i in range(self.COUNT):
-            pictures.write_pgm(self.folder / "in" / f"{i:02d}.pgm", pictures.step(1600, 1200, 45 * i + 45))
+            picture = pictures.step(1600, 1200, 45 * i + 45)
+            pictures.write_pgm(self.folder / "in" / f"{i:02d}.pgm", picture)
         text = self.on_terminal("in")
         states = self.states(text)
         self.assertGreaterEqual(len(states), 2)

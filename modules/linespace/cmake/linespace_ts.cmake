@@ -27,8 +27,8 @@ if(NOT ts_version VERSION_EQUAL OpenCV_VERSION)
   message(FATAL_ERROR "OPENCV_SOURCE_DIR has OpenCV ${ts_version}, installed is ${OpenCV_VERSION}")
 endif()
 
-# OpenCV's build writes its install prefix into this one; without it the environment says where data
-# is.
+# OpenCV's build writes its install prefix into this one; without it the environment tells where
+# data is.
 file(WRITE "${linespace_config_dir}/opencv_tests_config.hpp" "")
 
 file(GLOB ts_sources "${ts_dir}/src/*.cpp")

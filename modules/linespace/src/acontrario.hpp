@@ -18,8 +18,9 @@ namespace linespace {
 @param density probability that a pixel is an edge pixel, in [0, 1].
 @param tests number of chords that are looked at, >= 1.
 @param falseAlarms epsilon, > 0.
-@return for every length l of 0 to maxLength the smallest k with tests * P(Binomial(l, density) >=
-k) < epsilon, at most l + 1, which no chord reaches. Does not decrease with l. */
+@return for every length l of 0 to maxLength the smallest k with
+tests * P(Binomial(l, density) >= k) < epsilon, at most l + 1, which no chord reaches. Does not
+decrease with l. */
 std::vector<int> significantVotes(int maxLength, double density, double tests, double falseAlarms);
 
 } // namespace linespace

@@ -126,9 +126,9 @@ void crossings(const Merge& merge, int s, int e, int count, int* m)
         m[i] = (int)((numerator + i * numeratorStep) / (denominator + i * denominatorStep));
 }
 
-/** The runs of `count` chords (s, e + i): of each, `cells` votes are the sum of those at a + m[i] *
-strideA and those at b + m[i] * strideB + i * stepB. Cells > 0 is the number of cells known when
-compiling. */
+/** The runs of `count` chords (s, e + i): of each, `cells` votes are the sum of those at
+a + m[i] * strideA and those at b + m[i] * strideB + i * stepB. Cells > 0 is the number of cells
+known when compiling. */
 template<int Cells, class ChildVotes, class ParentVotes>
 void addRuns(const ChildVotes* a, ptrdiff_t strideA, const ChildVotes* b, ptrdiff_t strideB,
              ptrdiff_t stepB, const int* m, int count, size_t cells, ParentVotes* parent)

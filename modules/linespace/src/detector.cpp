@@ -6,6 +6,7 @@
 // stages in order. No mathematics of its own.
 
 #include "acontrario.hpp"
+#include "ascent.hpp"
 #include "backends.hpp"
 #include "line_geometry.hpp"
 #include "orientation.hpp"
@@ -428,7 +429,10 @@ private:
         edges.weighted = parameters_.edgeWeights;
         edges.votes = votingPixels(image);
         if (gradients.isOriented)
+        {
             edges.directions = gradients.bits(edges.votes, parameters_.orientationTolerance);
+            edges.isEstimated = gradients.dx.empty();
+        }
         countVotes(*executor, edges, *plan, parameters_.method == METHOD_EXACT, level, spare_,
                    result_);
         plan_ = plan;
@@ -499,11 +503,12 @@ private:
             out.assign(table);
     }
 
-    //! How many edge pixels vote for the chords of each bin; of a map that is not oriented, for
-    //! all.
+    //! How many edge pixels vote for the chords of each bin; of a map that is not oriented, for all.
+    //! Estimated directions follow the pixels of the chord itself, so they are no independent
+    //! evidence against chance: all pixels, to be on the safe side.
     static std::vector<int> votersOf(const EdgeMap& edges)
     {
-        if (!edges.isOriented())
+        if (!edges.isOriented() || edges.isEstimated)
             return std::vector<int>(1, countNonZero(edges.votes));
         std::vector<int> voters(DIRECTION_BINS, 0);
         for (int y = 0; y < edges.directions.rows; ++y)
@@ -569,20 +574,33 @@ private:
                  });
         if (!exact)
         {
+            size_t climbers = candidates.size();
             if (parameters_.maxLines > 0)
-                keepStrongest(candidates,
-                              (size_t)std::max<int64>(parameters_.poolSize,
-                                                      16 * (int64)parameters_.maxLines));
-            rescore(edges, plan, candidates);
+            {
+                const int64 pool =
+                    std::max<int64>(parameters_.poolSize, 16 * (int64)parameters_.maxLines);
+                keepStrongest(candidates, (size_t)pool);
+                climbers = (size_t)((pool + 3) / 4);
+            }
+            // A maximum stands for its neighbourhood, where the best exact chord may be another
+            // one.
+            climbToExactMaxima(*executor_, edges, plan, parameters_.suppressionRadius, climbers,
+                               candidates);
+            removeIf(candidates,
+                     [&](const Candidate& candidate)
+                     {
+                         Line line = lineOf(frame, candidate.chord());
+                         return !angles.represent(line);
+                     });
         }
         removeIf(candidates, [&](const Candidate& candidate)
                  { return !requirement.isMet(edges, plan, candidate); });
         const size_t most =
             parameters_.maxLines > 0 ? (size_t)parameters_.maxLines : candidates.size();
         const double distance = parameters_.suppressionDistance;
-        const Refinement refine = [&](const Line& line)
+        const Refinement refine = [&](Chord chord, const Line& line)
         {
-            return refined(edges, angles, line);
+            return refined(edges, directionBit(frame, chord), angles, line);
         };
         const std::vector<Selected> chosen =
             parameters_.selection == SELECT_EXPLAIN
@@ -600,11 +618,12 @@ private:
 
     //! The line to report for a chord's line: one that leaves the interval of angles stays as it
     //! was.
-    Line refined(const EdgeMap& edges, const AngleInterval& angles, const Line& line) const
+    Line refined(const EdgeMap& edges, ushort bit, const AngleInterval& angles,
+                 const Line& line) const
     {
         if (parameters_.refine == REFINE_NONE)
             return line;
-        const Line result = refineLine(edges, line);
+        const Line result = refineLine(edges, bit, line);
         Line inInterval = result;
         return angles.represent(inInterval) ? result : line;
     }
@@ -614,17 +633,6 @@ private:
     {
         candidates.erase(std::remove_if(candidates.begin(), candidates.end(), predicate),
                          candidates.end());
-    }
-
-    void rescore(const EdgeMap& edges, const Plan& plan, std::vector<Candidate>& candidates)
-    {
-        std::vector<Chord> chords(candidates.size());
-        for (size_t i = 0; i < chords.size(); ++i)
-            chords[i] = candidates[i].chord();
-        std::vector<int> votes;
-        executor_->rescore(edges, plan, chords, votes);
-        for (size_t i = 0; i < votes.size(); ++i)
-            candidates[i].votes = votes[i];
     }
 
     Parameters parameters_;

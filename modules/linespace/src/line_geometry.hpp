@@ -3,8 +3,7 @@
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
 // Lines outside of the table: normal form, ends inside an image, angle intervals. Coordinates are
-// OpenCV's: pixel centres at integers, so the image covers [-0.5, width - 0.5] x [-0.5, height -
-// 0.5].
+// OpenCV's, pixel centres at integers: the image covers [-0.5, width - 0.5] x [-0.5, height - 0.5].
 
 #ifndef OPENCV_LINESPACE_LINE_GEOMETRY_HPP
 #define OPENCV_LINESPACE_LINE_GEOMETRY_HPP

@@ -46,6 +46,33 @@ void quantise(float x, float y, int& gx, int& gy)
     gy = std::min(cvRound(std::ldexp((double)y, 15 - exponent)), 32767);
 }
 
+void quantise(short x, short y, int& gx, int& gy)
+{
+    gx = x;
+    gy = y;
+}
+
+//! Writes one row; the column of a voting pixel whose gradient is not finite, or -1.
+template<class Component>
+int rowBits(const DirectionRule& rule, const Mat& votes, const Mat& dx, const Mat& dy, int y,
+            Mat& bits)
+{
+    const uchar* voting = votes.ptr<uchar>(y);
+    const Component *rowX = dx.ptr<Component>(y), *rowY = dy.ptr<Component>(y);
+    ushort* out = bits.ptr<ushort>(y);
+    for (int x = 0; x < votes.cols; ++x)
+    {
+        if (!voting[x])
+            continue;
+        if (!std::isfinite((float)rowX[x]) || !std::isfinite((float)rowY[x]))
+            return x;
+        int gx, gy;
+        quantise(rowX[x], rowY[x], gx, gy);
+        out[x] = rule.bitsOf(gx, gy);
+    }
+    return -1;
+}
+
 } // namespace
 
 int directionBin(int dx, int dy)
@@ -101,32 +128,19 @@ Mat directionBits(const Mat& votes, const Mat& dx, const Mat& dy, double toleran
     const DirectionRule rule(tolerance);
     const bool isFloat = dx.type() == CV_32FC1;
     Mat bits = Mat::zeros(votes.size(), CV_16UC1);
-    Point notFinite(-1, -1);
+    std::vector<int> notFinite(votes.rows, -1); // column of one in each row
+    parallel_for_(Range(0, votes.rows),
+                  [&](const Range& range)
+                  {
+                      for (int y = range.start; y < range.end; ++y)
+                          notFinite[y] = isFloat ? rowBits<float>(rule, votes, dx, dy, y, bits)
+                                                 : rowBits<short>(rule, votes, dx, dy, y, bits);
+                  });
     for (int y = 0; y < votes.rows; ++y)
-    {
-        const uchar* voting = votes.ptr<uchar>(y);
-        ushort* out = bits.ptr<ushort>(y);
-        for (int x = 0; x < votes.cols; ++x)
-        {
-            if (!voting[x])
-                continue;
-            int gx, gy;
-            if (isFloat)
-            {
-                const float fx = dx.ptr<float>(y)[x], fy = dy.ptr<float>(y)[x];
-                if (!std::isfinite(fx) || !std::isfinite(fy))
-                    CV_Error_(Error::StsOutOfRange,
-                              ("dx, dy at (%d, %d) = (%g, %g): must be finite", x, y, fx, fy));
-                quantise(fx, fy, gx, gy);
-            }
-            else
-            {
-                gx = dx.ptr<short>(y)[x];
-                gy = dy.ptr<short>(y)[x];
-            }
-            out[x] = rule.bitsOf(gx, gy);
-        }
-    }
+        if (notFinite[y] >= 0)
+            CV_Error_(Error::StsOutOfRange,
+                      ("dx, dy at (%d, %d) = (%g, %g): must be finite", notFinite[y], y,
+                       dx.ptr<float>(y)[notFinite[y]], dy.ptr<float>(y)[notFinite[y]]));
     return bits;
 }
 
@@ -157,28 +171,32 @@ void estimateGradients(const Mat& votes, Mat& dx, Mat& dy)
     }
     dx = Mat::zeros(votes.size(), CV_32FC1);
     dy = Mat::zeros(votes.size(), CV_32FC1);
-    for (int y = 0; y < votes.rows; ++y)
-        for (int x = 0; x < votes.cols; ++x)
+    const auto estimate = [&](int x, int y)
+    {
+        // The tensor as a vector at twice the angle: (xx - yy, 2 xy).
+        int difference = 0, product = 0;
+        for (int j = -REACH; j <= REACH; ++j)
         {
-            if (!votes.ptr<uchar>(y)[x])
-                continue;
-            // The tensor as a vector at twice the angle: (xx - yy, 2 xy).
-            int difference = 0, product = 0;
-            for (int j = -REACH; j <= REACH; ++j)
+            const schar *gx = sobelX.ptr<schar>(y + MARGIN + j) + x + MARGIN,
+                        *gy = sobelY.ptr<schar>(y + MARGIN + j) + x + MARGIN;
+            for (int i = -REACH; i <= REACH; ++i)
             {
-                const schar *gx = sobelX.ptr<schar>(y + MARGIN + j) + x + MARGIN,
-                            *gy = sobelY.ptr<schar>(y + MARGIN + j) + x + MARGIN;
-                for (int i = -REACH; i <= REACH; ++i)
-                {
-                    difference += gx[i] * gx[i] - gy[i] * gy[i];
-                    product += 2 * gx[i] * gy[i];
-                }
+                difference += gx[i] * gx[i] - gy[i] * gy[i];
+                product += 2 * gx[i] * gy[i];
             }
-            const double length =
-                std::sqrt((double)difference * difference + (double)product * product);
-            dx.ptr<float>(y)[x] = (float)(difference >= 0 ? length + difference : product);
-            dy.ptr<float>(y)[x] = (float)(difference >= 0 ? product : length - difference);
         }
+        const double a = difference, b = product, length = std::sqrt(a * a + b * b);
+        dx.ptr<float>(y)[x] = (float)(a >= 0 ? length + a : b);
+        dy.ptr<float>(y)[x] = (float)(a >= 0 ? b : length - a);
+    };
+    parallel_for_(Range(0, votes.rows),
+                  [&](const Range& range)
+                  {
+                      for (int y = range.start; y < range.end; ++y)
+                          for (int x = 0; x < votes.cols; ++x)
+                              if (votes.ptr<uchar>(y)[x])
+                                  estimate(x, y);
+                  });
 }
 
 } // namespace linespace

@@ -11,11 +11,17 @@ namespace linespace {
 
 namespace {
 
-//! floor(a / b) for a >= 0, b > 0; the only division of the geometry.
+//! floor(a / b) for a >= 0, b > 0; the only division that decides on a pixel or a crossing.
 int64 floorDivide(int64 a, int64 b)
 {
     CV_DbgAssert(a >= 0 && b > 0);
     return a / b;
+}
+
+//! ceil(a / b) for b > 0.
+int64 ceilDivide(int64 a, int64 b)
+{
+    return a >= 0 ? (a + b - 1) / b : -(-a / b);
 }
 
 } // namespace
@@ -41,6 +47,16 @@ size_t Cell::rowStart(int s) const
                           : side == SIDE_RIGHT ? w * (w + 2 * h)
                                                : w * (w + 2 * h) + h * (w + h);
     return before + (size_t)(s - firstPoint(side)) * rowLength(side);
+}
+
+bool Raster::fixedPoint(int64& start, int64& increment) const
+{
+    const int64 one = (int64)1 << 32;
+    if ((int64)count * modulus > one)
+        return false;
+    start = minor * one + ceilDivide(remainder * one, modulus);
+    increment = ceilDivide(step * one, modulus);
+    return true;
 }
 
 Raster::Raster(const Cell& cell, Chord chord)

@@ -115,6 +115,13 @@ struct Raster
 
     Raster(const Cell& cell, Chord chord);
 
+    /** The same without a carry, for loops that must be fast: the i-th pixel has the minor
+    coordinate (start + i increment) >> 32. Both are rounded up, so after i steps the sum is too
+    large by less than (i + 1) 2^-32, while the exact coordinate is at least 1 / modulus below the
+    next integer: false if count modulus > 2^32 and that may not suffice (chords beyond 32768
+    pixels). */
+    bool fixedPoint(int64& start, int64& increment) const;
+
     //! Calls visit(x, y) for every pixel.
     template<class Visit>
     void forEachPixel(Visit visit) const

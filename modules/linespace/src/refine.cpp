@@ -52,21 +52,15 @@ void forEachPixelNear(Size image, const Line& line, double distance, Visit visit
     }
 }
 
-//! Which edge pixels can support a line: of an oriented map, those that vote for its bin.
+//! Which edge pixels can support the line of a chord.
 class Support
 {
 public:
-    Support(const EdgeMap& edges, const Line& line) : edges_(edges), bit_(0)
-    {
-        const double scale = 1 << 20;
-        if (edges.isOriented())
-            bit_ = (ushort)(1 << directionBin(cvRound(-scale * std::sin(line.theta)),
-                                              cvRound(scale * std::cos(line.theta))));
-    }
+    Support(const EdgeMap& edges, ushort bit) : edges_(edges), bit_(bit) {}
     bool has(int x, int y) const
     {
         return edges_.votes.ptr<uchar>(y)[x] != 0 &&
-               (!bit_ || (edges_.directions.ptr<ushort>(y)[x] & bit_));
+               (!edges_.isOriented() || (edges_.directions.ptr<ushort>(y)[x] & bit_));
     }
 
 private:
@@ -97,10 +91,14 @@ bool fitLine(const Moments& m, Line& line)
 {
     if (m.n < 2)
         return false;
-    const double n = (double)m.n, x = m.x / n, y = m.y / n;
-    // Central moments; n xx - x^2 is formed in integers, where nothing cancels.
-    const double xx = (double)(m.n * m.xx - m.x * m.x), xy = (double)(m.n * m.xy - m.x * m.y);
-    const double yy = (double)(m.n * m.yy - m.y * m.y);
+    // Taken about the pixel nearest to the mean, in integers, where nothing cancels; what is left to
+    // subtract is small.
+    const int64 x0 = (2 * m.x + m.n) / (2 * m.n), y0 = (2 * m.y + m.n) / (2 * m.n);
+    const double n = (double)m.n, dx = (m.x - m.n * x0) / n, dy = (m.y - m.n * y0) / n;
+    const double x = x0 + dx, y = y0 + dy;
+    const double xx = (m.xx - 2 * x0 * m.x + m.n * x0 * x0) / n - dx * dx,
+                 xy = (m.xy - x0 * m.y - y0 * m.x + m.n * x0 * y0) / n - dx * dy,
+                 yy = (m.yy - 2 * y0 * m.y + m.n * y0 * y0) / n - dy * dy;
     if (xx == yy && xy == 0)
         return false;
     const double along = 0.5 * std::atan2(2 * xy, xx - yy); // direction of the largest variance
@@ -111,13 +109,13 @@ bool fitLine(const Moments& m, Line& line)
 
 } // namespace
 
-Line refineLine(const EdgeMap& edges, const Line& line)
+Line refineLine(const EdgeMap& edges, ushort bit, const Line& line)
 {
     Ends ends;
     if (!clipLine(std::cos(line.theta), std::sin(line.theta), line.rho, edges.votes.size(), ends))
         return line;
     Line refined = line;
-    const Support support(edges, line);
+    const Support support(edges, bit);
     Moments last = {0, 0, 0, 0, 0, 0};
     for (int i = 0; i < MAX_ITERATIONS; ++i)
     {
@@ -132,9 +130,9 @@ Line refineLine(const EdgeMap& edges, const Line& line)
     return moved ? line : refined;
 }
 
-void removeSupport(EdgeMap& edges, const Line& line)
+void removeSupport(EdgeMap& edges, ushort bit, const Line& line)
 {
-    const Support support(edges, line);
+    const Support support(edges, bit);
     forEachPixelNear(edges.votes.size(), line, EXPLAINED_DISTANCE,
                      [&](int x, int y)
                      {

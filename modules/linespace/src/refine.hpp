@@ -15,12 +15,13 @@ namespace linespace {
 
 /** Total least squares on the edge pixels within one pixel of the line, repeated with the pixels of
 the new line until they stay the same, ten times at most.
+@param bit of the bin of the line's chord: of an oriented map, only pixels that carry it count.
 @return the refined line; the given one if fewer than two pixels support it or an end inside the
 image would move by more than a pixel. */
-Line refineLine(const EdgeMap& edges, const Line& line);
+Line refineLine(const EdgeMap& edges, ushort bit, const Line& line);
 
-//! Clears the edge pixels that support a line: those within two pixels of it.
-void removeSupport(EdgeMap& edges, const Line& line);
+//! Clears the edge pixels that support a line: those within two pixels of it that carry the bit.
+void removeSupport(EdgeMap& edges, ushort bit, const Line& line);
 
 } // namespace linespace
 } // namespace cv

@@ -58,7 +58,7 @@ public:
     {
         if (isNear(chordLine)) // spares the refinement of most
             return false;
-        const Selected selected = {candidate, refine_(chordLine)};
+        const Selected selected = {candidate, refine_(candidate.chord(), chordLine)};
         if (isNear(selected.line))
             return false;
         taken_.insert(selected.line);
@@ -121,7 +121,8 @@ std::vector<Selected> selectExplaining(const EdgeMap& edges, const Plan& plan,
         }
         candidate.votes = chordVotes(edges, plan.frame(), candidate.chord());
         if (selection.take(candidate, lineOf(plan.frame(), candidate.chord())))
-            removeSupport(left, selection.chosen().back().line);
+            removeSupport(left, directionBit(plan.frame(), candidate.chord()),
+                          selection.chosen().back().line);
     }
     std::sort(selection.chosen().begin(), selection.chosen().end(),
               [](const Selected& a, const Selected& b)

@@ -60,7 +60,7 @@ struct Selected
 };
 
 //! What becomes of the line of a chord before it is reported.
-typedef std::function<Line(const Line&)> Refinement;
+typedef std::function<Line(Chord, const Line&)> Refinement;
 
 /** Takes the candidates in the total order and drops those whose two ends inside the image, before
 or after the refinement, are both within `distance` pixels of a line taken before; at most `most`

@@ -40,8 +40,9 @@ double workingMemory(const Plan& plan, bool weighted, bool oriented, int level)
         most[l % 2] = std::max(most[l % 2], bytes);
     }
     const double pixels = (double)plan.frame().width * plan.frame().height;
-    // Votes and directions as they come, and in the order of the table.
-    return most[0] + most[1] + (oriented ? 6 : 2) * pixels;
+    // Votes as they come, in the order of the table, and those that selectExplaining leaves;
+    // directions twice as well, and what their estimation takes.
+    return most[0] + most[1] + (oriented ? 3 + 4 + 11 : 3) * pixels;
 }
 
 namespace {

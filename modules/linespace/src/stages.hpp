@@ -69,7 +69,9 @@ struct EdgeMap
     //! CV_16UC1 of the same size, continuous: a pixel votes for the chords of the bins in its bits
     //! (orientation.hpp); empty: for all.
     Mat directions;
+    bool isEstimated; //!< the directions, from the edge pixels themselves
 
+    EdgeMap() : weighted(false), isEstimated(false) {}
     bool isOriented() const { return !directions.empty(); }
     //! Bytes that hold `count` edge pixels' votes.
     int depthFor(int count) const

@@ -144,8 +144,8 @@ std::vector<Step> raster(const Doubled& p, const Doubled& q, DiagonalRule rule)
     std::vector<Step> steps;
     for (int64 centre = first | 1; centre <= last; centre += 2)
     {
-        // Minor coordinate in pixels at the centre: (minor0 + dMinor (centre - major0) / dMajor)
-        // / 2.
+        // Minor coordinate in pixels at the centre, half of
+        // minor0 + dMinor (centre - major0) / dMajor.
         const int64 numerator = minor0 * dMajor + dMinor * (centre - major0);
         const int minor = (int)floorDivide(numerator, 2 * dMajor);
         const int major = (int)(centre / 2);

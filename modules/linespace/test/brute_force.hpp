@@ -81,8 +81,8 @@ struct Cascade
     int levelCount() const { return x.merges + y.merges + 1; }
     //! Whether the merge from level - 1 to level joins left and right neighbours.
     bool mergesColumns(int level) const;
-    int
-    columnMerges(int level) const; //!< of the merges 1 .. level, those of left and right neighbours
+    //! Of the merges 1 .. level, those of left and right neighbours.
+    int columnMerges(int level) const;
     cv::Size cellSize(int level) const;
     cv::Size gridSize(int level) const;
 };

@@ -8,6 +8,8 @@
 
 #include "generators.hpp"
 
+#include <map>
+
 namespace opencv_test {
 
 using brute::Candidate;
@@ -51,6 +53,7 @@ Selection::Selection(const Mat& edges, int method, int cellSize, bool weighted,
                      const Mat& directions)
 {
     const brute::Cascade cascade = brute::cascadeOf(edges.size(), cellSize);
+    climbs = method == METHOD_CASCADED;
     frame = method == METHOD_EXACT ? edges.size() : cascade.frame();
     exact = brute::exactTable(edges, frame, weighted, directions);
     table = method == METHOD_EXACT ? exact
@@ -71,15 +74,40 @@ std::vector<Candidate> Selection::select(int threshold, double ratio, int thinni
     std::sort(all.begin(), all.end(), brute::isStronger);
     if (pool > 0 && all.size() > pool)
         all.resize(pool);
-    std::vector<Candidate> kept;
+    const size_t climbers = pool > 0 ? (pool + 3) / 4 : all.size();
+    std::map<std::pair<int, int>, Candidate> reached;
     for (size_t i = 0; i < all.size(); ++i)
     {
-        all[i].votes = exact(all[i].s, all[i].e);
-        if (all[i].votes > threshold)
-            kept.push_back(all[i]);
+        Candidate candidate = {all[i].s, all[i].e, exact(all[i].s, all[i].e)};
+        if (i < climbers)
+            candidate = climb(candidate, radius);
+        if (candidate.votes > threshold)
+            reached[std::make_pair(candidate.s, candidate.e)] = candidate;
     }
+    std::vector<Candidate> kept;
+    for (const auto& entry : reached)
+        kept.push_back(entry.second);
     std::sort(kept.begin(), kept.end(), brute::isStronger);
     return kept;
+}
+
+brute::Candidate Selection::climb(Candidate candidate, int steps) const
+{
+    const int points = exact.rows;
+    for (int step = 0; step < steps && climbs; ++step)
+    {
+        Candidate best = candidate;
+        for (int i = points - 1; i <= points + 1; ++i)
+            for (int j = points - 1; j <= points + 1; ++j)
+            {
+                const int p = (candidate.s + i) % points, q = (candidate.e + j) % points;
+                const Candidate neighbour = {std::min(p, q), std::max(p, q), exact(p, q)};
+                if (brute::isChord(frame, p, q) && brute::isStronger(neighbour, best))
+                    best = neighbour;
+            }
+        candidate = best;
+    }
+    return candidate;
 }
 
 } // namespace opencv_test

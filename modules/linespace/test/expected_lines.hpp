@@ -42,13 +42,17 @@ public:
     Selection(const cv::Mat& edges, int method, int cellSize, bool weighted = false,
               const cv::Mat& directions = cv::Mat());
 
-    //! pool 0: every candidate is counted exactly.
+    //! pool 0: every candidate is counted exactly and climbs, else a quarter of the pool.
     std::vector<brute::Candidate> select(int threshold, double ratio, int thinning, int radius,
                                          size_t pool = 0) const;
 
     cv::Size frame;
 
 private:
+    //! To the strongest of the neighbours on the ring, while it is stronger.
+    brute::Candidate climb(brute::Candidate candidate, int steps) const;
+
+    bool climbs; //!< with the cascade, whose maxima need not be those of the exact votes
     cv::Mat1i exact, table;
 };
 

@@ -152,7 +152,8 @@ TEST_P(Linespace_BadInput, failed_allocation)
     failAllocationAfter(-1);
     Mat fullTable;
     detector->compute(good, fullTable);
-    for (int call = 0; call < 2; ++call)
+    const Mat dx(good.size(), CV_32FC1, Scalar(2)), dy(good.size(), CV_32FC1, Scalar(-3));
+    for (int call = 0; call < 4; ++call)
     {
         bool succeeded = false;
         int failures = 0;
@@ -169,8 +170,12 @@ TEST_P(Linespace_BadInput, failed_allocation)
                 {
                     if (call == 0)
                         fresh->detect(good, lines);
-                    else
+                    else if (call == 1)
                         fresh->compute(good, table);
+                    else if (call == 2)
+                        fresh->detect(good, dx, dy, lines);
+                    else
+                        fresh->detect(good, noArray(), noArray(), lines);
                 },
                 Words());
             failAllocationAfter(-1);

@@ -174,9 +174,10 @@ public:
     CV_WRAP virtual void setSuppression(int suppression) = 0;
     CV_WRAP virtual int getSuppression() const = 0;
 
-    /** Radius of the suppression in border points, 0 to 64; 0 keeps every chord above the
-    threshold. For #SUPPRESS_BLOCKS the block is the smallest power of two of at least 2 r + 1
-    border points. Default 2. */
+    /** Radius of the suppression in border points, 0 to 64; 0 keeps every chord above the threshold.
+    For #SUPPRESS_BLOCKS the block is the smallest power of two of at least 2 r + 1 border points.
+    With #METHOD_CASCADED a candidate then moves by up to r steps to the chord nearby with the most
+    exact votes (section 4.2). Default 2. */
     CV_WRAP virtual void setSuppressionRadius(int radius) = 0;
     CV_WRAP virtual int getSuppressionRadius() const = 0;
 
@@ -214,8 +215,10 @@ public:
     CV_WRAP virtual void setAngleRange(double minTheta, double maxTheta) = 0;
     CV_WRAP virtual void getAngleRange(CV_OUT double& minTheta, CV_OUT double& maxTheta) const = 0;
 
-    /** For detect with gradients: how far the direction of an edge pixel may be from that of the
-    lines that it votes for, in degrees, more than 0, at most 90. Default 22.5. */
+    /** For detect with gradients: how far the direction of an edge pixel may be from the centre of the
+    direction bin (11.25 degrees wide) of the lines that it votes for, in degrees, more than 0, at
+    most 90. Below 5.7 degrees there are directions, the axes among them, whose edges vote for no
+    line. Default 22.5. */
     CV_WRAP virtual void setOrientationTolerance(double degrees) = 0;
     CV_WRAP virtual double getOrientationTolerance() const = 0;
 
