@@ -18,10 +18,9 @@ namespace opencv_test {
                     cv::Size(1024, 1024), cv::Size(640, 480), cv::Size(1280, 720),                 \
                     cv::Size(1920, 1080))
 
-/** Canny edges (50/150) of one of OpenCV's sample photographs, scaled to the size; never an empty
-image. The folder is that of the environment variable LINESPACE_SAMPLES_DATA, without which the test
-is skipped. */
-inline cv::Mat photographEdges(const std::string& name, cv::Size size)
+/** One of OpenCV's sample photographs in grey, scaled to the size. The folder is that of the
+environment variable LINESPACE_SAMPLES_DATA, without which the test is skipped. */
+inline cv::Mat greyPhotograph(const std::string& name, cv::Size size)
 {
     const char* folder = std::getenv("LINESPACE_SAMPLES_DATA");
     if (!folder || !*folder)
@@ -29,9 +28,16 @@ inline cv::Mat photographEdges(const std::string& name, cv::Size size)
     const cv::Mat grey = cv::imread(std::string(folder) + "/" + name, cv::IMREAD_GRAYSCALE);
     if (grey.empty())
         throw cvtest::SkipTestException("cannot read " + name + " in LINESPACE_SAMPLES_DATA");
-    cv::Mat scaled, edges;
+    cv::Mat scaled;
     cv::resize(grey, scaled, size, 0, 0, cv::INTER_AREA);
-    cv::Canny(scaled, edges, 50, 150);
+    return scaled;
+}
+
+//! Its Canny edges (50/150); never an empty image.
+inline cv::Mat photographEdges(const std::string& name, cv::Size size)
+{
+    cv::Mat edges;
+    cv::Canny(greyPhotograph(name, size), edges, 50, 150);
     CV_Assert(cv::countNonZero(edges) > 0);
     return edges;
 }

@@ -39,6 +39,35 @@ PERF_TEST_P(Detector_Photograph, detect_significant,
     SANITY_CHECK_NOTHING();
 }
 
+//! The same with oriented voting, by given gradients.
+PERF_TEST_P(Detector_Photograph, detect_oriented,
+            testing::Combine(testing::Values("building.jpg", "home.jpg"), LINESPACE_SIZES))
+{
+    const cv::Mat grey = greyPhotograph(get<0>(GetParam()), get<1>(GetParam()));
+    cv::Mat edges, dx, dy;
+    cv::Canny(grey, edges, 50, 150);
+    cv::Sobel(grey, dx, CV_16S, 1, 0);
+    cv::Sobel(grey, dy, CV_16S, 0, 1);
+    const cv::Ptr<ls::LineSpaceDetector> detector = ls::LineSpaceDetector::create(0, 100);
+    detector->setSelection(ls::SELECT_EXPLAIN);
+    std::vector<cv::Vec3f> lines;
+    TEST_CYCLE() detector->detect(edges, dx, dy, lines);
+    EXPECT_FALSE(lines.empty());
+    SANITY_CHECK_NOTHING();
+}
+
+//! By gradients that are estimated from the edge map.
+PERF_TEST_P(Detector_Photograph, detect_oriented_by_edges,
+            testing::Combine(testing::Values("building.jpg"), LINESPACE_SIZES))
+{
+    const cv::Mat edges = photographEdges(get<0>(GetParam()), get<1>(GetParam()));
+    const cv::Ptr<ls::LineSpaceDetector> detector = ls::LineSpaceDetector::create(0, 100);
+    detector->setSelection(ls::SELECT_EXPLAIN);
+    std::vector<cv::Vec3f> lines;
+    TEST_CYCLE() detector->detect(edges, cv::noArray(), cv::noArray(), lines);
+    SANITY_CHECK_NOTHING();
+}
+
 typedef perf::TestBaseWithParam<cv::Size> Detector_Table;
 
 //! METHOD_EXACT: O(n^3), so small images only.
