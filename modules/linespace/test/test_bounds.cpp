@@ -51,13 +51,13 @@ const WhiteCase whiteCases[] = {{Size(240, 252), 21}, {Size(248, 254), 43}, {Siz
                                 {Size(256, 256), 2},  {Size(255, 257), 3},  {Size(512, 512), 8},
                                 {Size(300, 17), 2},   {Size(17, 300), 2},   {Size(1100, 3), 2},
                                 {Size(3, 1100), 5},   {Size(513, 129), 5},  {Size(700, 40), 64},
-                                {Size(97, 211), 16}};
+                                {Size(97, 211), 16},  {Size(640, 480), 8}};
 
 TEST_P(Linespace_VoteBound, white_image)
 {
     const int backend = get<0>(GetParam());
     const WhiteCase white = get<1>(GetParam());
-    if (backend == BACKEND_REFERENCE && white.size.area() > 40000)
+    if (backend == BACKEND_REFERENCE && white.size.area() > 100000)
         return; // the same code at other sizes; the CPU path has the narrow counters
     Ptr<LineSpaceDetector> detector =
         LineSpaceDetector::create(1, 0, METHOD_CASCADED, white.cellSize, backend);
