@@ -8,6 +8,7 @@
 #include "acontrario.hpp"
 #include "ascent.hpp"
 #include "backends.hpp"
+#include "edge_profile.hpp"
 #include "line_geometry.hpp"
 #include "orientation.hpp"
 #include "peaks.hpp"
@@ -134,6 +135,13 @@ struct Gradients
             CV_Error_(Error::StsUnmatchedFormats,
                       ("dx has type %s and dy %s: must be the same",
                        typeToString(dx.type()).c_str(), typeToString(dy.type()).c_str()));
+        for (const auto& one : both)
+        {
+            Point bad;
+            if (!checkRange(one.values, true, &bad))
+                CV_Error_(Error::StsOutOfRange, ("%s at (%d, %d) = %g: must be finite", one.name,
+                                                 bad.x, bad.y, one.values.at<float>(bad)));
+        }
     }
 
     Mat bits(const Mat& votes, double tolerance) const
@@ -205,6 +213,11 @@ public:
     }
     Size getLevelGridSize(int level) const CV_OVERRIDE { return levelOf(level).grid; }
     int getActiveBackend() const CV_OVERRIDE { return activeBackend_; }
+    void getDeviations(OutputArray deviations) const CV_OVERRIDE
+    {
+        checkOutput(deviations, "deviations");
+        writeVectors(deviations_, deviations);
+    }
 
 #define LINESPACE_PARAMETER(Type, Name, name)                                                      \
     void set##Name(Type value) CV_OVERRIDE                                                         \
@@ -321,6 +334,7 @@ public:
         executor_.reset();
         result_.buffer.release();
         spare_.buffer.release();
+        deviations_.clear();
         activeBackend_ = -1;
     }
     String getDefaultName() const CV_OVERRIDE
@@ -331,15 +345,16 @@ public:
 private:
     void detectLines(InputArray edges, const Gradients& gradients, OutputArray lines)
     {
-        checkOutput(lines);
+        checkOutput(lines, "lines");
         withMemoryFor("edges", edges.size(),
                       [&]()
                       {
                           EdgeMap map;
                           const Ptr<const Plan> plan = count(edges, gradients, -1, map);
-                          std::vector<Vec3f> found;
-                          findLines(map, *plan, found);
-                          writeLines(found, lines);
+                          std::vector<Vec3f> found, deviations;
+                          findLines(map, *plan, found, deviations);
+                          writeVectors(found, lines);
+                          deviations_.swap(deviations);
                       });
     }
 
@@ -354,21 +369,21 @@ private:
         node >> value;
     }
 
-    static void checkOutput(OutputArray lines)
+    static void checkOutput(OutputArray out, const char* name)
     {
-        if (lines.fixedType() && lines.type() != CV_32FC3)
+        if (out.fixedType() && out.type() != CV_32FC3)
             CV_Error_(Error::StsUnsupportedFormat,
-                      ("lines has type %s: must be CV_32FC3", typeToString(lines.type()).c_str()));
+                      ("%s has type %s: must be CV_32FC3", name, typeToString(out.type()).c_str()));
     }
 
-    static void writeLines(const std::vector<Vec3f>& found, OutputArray lines)
+    static void writeVectors(const std::vector<Vec3f>& vectors, OutputArray out)
     {
-        if (found.empty())
+        if (vectors.empty())
         {
-            lines.release();
+            out.release();
             return;
         }
-        Mat((int)found.size(), 1, CV_32FC3, (void*)found.data()).copyTo(lines);
+        Mat((int)vectors.size(), 1, CV_32FC3, (void*)vectors.data()).copyTo(out);
     }
 
     const Level& levelOf(int level) const
@@ -432,6 +447,8 @@ private:
         {
             edges.directions = gradients.bits(edges.votes, parameters_.orientationTolerance);
             edges.isEstimated = gradients.dx.empty();
+            if (!gradients.dx.empty() && parameters_.refine == REFINE_LEAST_SQUARES)
+                edges.gradients = profileGradients(gradients.dx, gradients.dy);
         }
         countVotes(*executor, edges, *plan, parameters_.method == METHOD_EXACT, level, spare_,
                    result_);
@@ -551,7 +568,8 @@ private:
         return requirement;
     }
 
-    void findLines(const EdgeMap& edges, const Plan& plan, std::vector<Vec3f>& lines)
+    void findLines(const EdgeMap& edges, const Plan& plan, std::vector<Vec3f>& lines,
+                   std::vector<Vec3f>& deviations)
     {
         const Requirement requirement = requirementFor(edges, plan);
         if (requirement.threshold == INT_MAX)
@@ -598,9 +616,9 @@ private:
         const size_t most =
             parameters_.maxLines > 0 ? (size_t)parameters_.maxLines : candidates.size();
         const double distance = parameters_.suppressionDistance;
-        const Refinement refine = [&](Chord chord, const Line& line)
+        const Refinement refine = [&](Chord chord)
         {
-            return refined(edges, directionBit(frame, chord), angles, line);
+            return refined(edges, frame, chord, angles);
         };
         const std::vector<Selected> chosen =
             parameters_.selection == SELECT_EXPLAIN
@@ -608,23 +626,29 @@ private:
                 : selectPeaks(plan, candidates, refine, distance, most);
         for (size_t i = 0; i < chosen.size(); ++i)
         {
-            Line line = chosen[i].line;
-            angles.represent(line);
-            const Vec2f polar = angles.round(line);
-            if (angles.contains(polar[1])) // an interval narrower than a float's step may hold none
-                lines.push_back(Vec3f(polar[0], polar[1], (float)chosen[i].candidate.votes));
+            FittedLine fitted = chosen[i].fitted;
+            const double rho = fitted.line.rho;
+            angles.represent(fitted.line);
+            if (fitted.line.rho != rho) // the other sign
+                fitted.covariance.rhoTheta = -fitted.covariance.rhoTheta;
+            const Vec2f polar = angles.round(fitted.line);
+            if (!angles.contains(
+                    polar[1])) // an interval narrower than a float's step may hold none
+                continue;
+            lines.push_back(Vec3f(polar[0], polar[1], (float)chosen[i].candidate.votes));
+            deviations.push_back(fitted.covariance.deviations());
         }
     }
 
-    //! The line to report for a chord's line: one that leaves the interval of angles stays as it
-    //! was.
-    Line refined(const EdgeMap& edges, ushort bit, const AngleInterval& angles,
-                 const Line& line) const
+    //! The line to report for a chord: one that leaves the interval of angles stays as it was.
+    FittedLine refined(const EdgeMap& edges, const Cell& frame, Chord chord,
+                       const AngleInterval& angles) const
     {
+        const FittedLine line = chordLine(frame, chord);
         if (parameters_.refine == REFINE_NONE)
             return line;
-        const Line result = refineLine(edges, bit, line);
-        Line inInterval = result;
+        const FittedLine result = refineLine(edges, directionBit(frame, chord), line);
+        Line inInterval = result.line;
         return angles.represent(inInterval) ? result : line;
     }
 
@@ -642,6 +666,7 @@ private:
     Ptr<Executor> executor_;
     int activeBackend_;
     VoteTable result_, spare_;
+    std::vector<Vec3f> deviations_; // of the lines of the last detect
 };
 
 } // namespace

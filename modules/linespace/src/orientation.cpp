@@ -52,10 +52,9 @@ void quantise(short x, short y, int& gx, int& gy)
     gy = y;
 }
 
-//! Writes one row; the column of a voting pixel whose gradient is not finite, or -1.
 template<class Component>
-int rowBits(const DirectionRule& rule, const Mat& votes, const Mat& dx, const Mat& dy, int y,
-            Mat& bits)
+void writeRowBits(const DirectionRule& rule, const Mat& votes, const Mat& dx, const Mat& dy, int y,
+                  Mat& bits)
 {
     const uchar* voting = votes.ptr<uchar>(y);
     const Component *rowX = dx.ptr<Component>(y), *rowY = dy.ptr<Component>(y);
@@ -64,13 +63,10 @@ int rowBits(const DirectionRule& rule, const Mat& votes, const Mat& dx, const Ma
     {
         if (!voting[x])
             continue;
-        if (!std::isfinite((float)rowX[x]) || !std::isfinite((float)rowY[x]))
-            return x;
         int gx, gy;
         quantise(rowX[x], rowY[x], gx, gy);
         out[x] = rule.bitsOf(gx, gy);
     }
-    return -1;
 }
 
 } // namespace
@@ -128,19 +124,15 @@ Mat directionBits(const Mat& votes, const Mat& dx, const Mat& dy, double toleran
     const DirectionRule rule(tolerance);
     const bool isFloat = dx.type() == CV_32FC1;
     Mat bits = Mat::zeros(votes.size(), CV_16UC1);
-    std::vector<int> notFinite(votes.rows, -1); // column of one in each row
     parallel_for_(Range(0, votes.rows),
                   [&](const Range& range)
                   {
                       for (int y = range.start; y < range.end; ++y)
-                          notFinite[y] = isFloat ? rowBits<float>(rule, votes, dx, dy, y, bits)
-                                                 : rowBits<short>(rule, votes, dx, dy, y, bits);
+                          if (isFloat)
+                              writeRowBits<float>(rule, votes, dx, dy, y, bits);
+                          else
+                              writeRowBits<short>(rule, votes, dx, dy, y, bits);
                   });
-    for (int y = 0; y < votes.rows; ++y)
-        if (notFinite[y] >= 0)
-            CV_Error_(Error::StsOutOfRange,
-                      ("dx, dy at (%d, %d) = (%g, %g): must be finite", notFinite[y], y,
-                       dx.ptr<float>(y)[notFinite[y]], dy.ptr<float>(y)[notFinite[y]]));
     return bits;
 }
 

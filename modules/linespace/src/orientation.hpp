@@ -46,7 +46,7 @@ private:
 @param votes CV_8UC1
 @param dx,dy of the same size, both CV_16SC1 or both CV_32FC1. Floating-point gradients are first
 scaled by the power of two that takes the larger component into [2^14, 2^15) and rounded to the
-nearest integers, of two the even one. Throws if one at a voting pixel is not finite. */
+nearest integers, of two the even one. They are finite. */
 Mat directionBits(const Mat& votes, const Mat& dx, const Mat& dy, double tolerance);
 
 /** Gradients of an edge map that has none of its own: the dominant direction of its structure

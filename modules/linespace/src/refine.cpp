@@ -4,7 +4,7 @@
 
 #include "refine.hpp"
 
-#include <cmath>
+#include "edge_profile.hpp"
 
 namespace cv {
 namespace linespace {
@@ -14,7 +14,8 @@ namespace {
 const double SUPPORT_DISTANCE =
     1; // pixels; half a pixel of the chord's raster, half of the true line's
 const double EXPLAINED_DISTANCE =
-    2; // pixels; what a thick or slightly bent edge leaves beside its line
+    2;                       // pixels; what a thick or slightly bent edge leaves beside its line
+const double MOST_MOVED = 1; // pixels at the ends inside the image
 const int MAX_ITERATIONS = 10;
 
 //! Moments of the supporting pixels; integers, so that they do not depend on the order of
@@ -23,6 +24,15 @@ struct Moments
 {
     int64 n, x, y, xx, xy, yy;
 
+    void add(int64 px, int64 py)
+    {
+        ++n;
+        x += px;
+        y += py;
+        xx += px * px;
+        xy += px * py;
+        yy += py * py;
+    }
     bool operator==(const Moments& other) const
     {
         return n == other.n && x == other.x && y == other.y && xx == other.xx && xy == other.xy &&
@@ -30,64 +40,39 @@ struct Moments
     }
 };
 
-//! Calls visit(x, y) for every pixel of an image whose centre is within a distance of a line.
-template<class Visit>
-void forEachPixelNear(Size image, const Line& line, double distance, Visit visit)
+//! The edge pixels that can support a line which moves by up to MOST_MOVED at its ends.
+std::vector<Point> supportersOf(const EdgeMap& edges, ushort bit, const Line& line)
 {
-    const double cosine = std::cos(line.theta), sine = std::sin(line.theta);
-    const bool xMajor = std::abs(sine) >= std::abs(cosine);
-    const double major = xMajor ? cosine : sine, minor = xMajor ? sine : cosine;
-    const int length = xMajor ? image.width : image.height,
-              limit = xMajor ? image.height : image.width;
-    const double reach = distance / std::abs(minor);
-    for (int i = 0; i < length; ++i)
-    {
-        const double centre = (line.rho - i * major) / minor;
-        if (!(centre > -reach - 1 && centre < limit + reach))
-            continue;
-        const int first = std::max(0, cvCeil(centre - reach)),
-                  last = std::min(limit - 1, cvFloor(centre + reach));
-        for (int k = first; k <= last; ++k)
-            visit(xMajor ? i : k, xMajor ? k : i);
-    }
+    const Columns columns(edges.votes.size(), line);
+    const Support support(edges, bit);
+    std::vector<Point> result;
+    columns.forEachWithin(SUPPORT_DISTANCE + MOST_MOVED,
+                          [&](int i, int k)
+                          {
+                              const Point pixel = columns.pixel(i, k);
+                              if (support.has(pixel))
+                                  result.push_back(pixel);
+                          });
+    return result;
 }
 
-//! Which edge pixels can support the line of a chord.
-class Support
+double distance(double cosine, double sine, double rho, const Point& pixel)
 {
-public:
-    Support(const EdgeMap& edges, ushort bit) : edges_(edges), bit_(bit) {}
-    bool has(int x, int y) const
-    {
-        return edges_.votes.ptr<uchar>(y)[x] != 0 &&
-               (!edges_.isOriented() || (edges_.directions.ptr<ushort>(y)[x] & bit_));
-    }
+    return pixel.x * cosine + pixel.y * sine - rho;
+}
 
-private:
-    const EdgeMap& edges_;
-    ushort bit_;
-};
-
-Moments momentsOf(const Support& support, Size image, const Line& line)
+Moments momentsOf(const std::vector<Point>& supporters, const Line& line)
 {
+    const double cosine = std::cos(line.theta), sine = std::sin(line.theta);
     Moments sum = {0, 0, 0, 0, 0, 0};
-    forEachPixelNear(image, line, SUPPORT_DISTANCE,
-                     [&](int64 x, int64 y)
-                     {
-                         if (!support.has((int)x, (int)y))
-                             return;
-                         ++sum.n;
-                         sum.x += x;
-                         sum.y += y;
-                         sum.xx += x * x;
-                         sum.xy += x * y;
-                         sum.yy += y * y;
-                     });
+    for (size_t i = 0; i < supporters.size(); ++i)
+        if (std::abs(distance(cosine, sine, line.rho, supporters[i])) <= SUPPORT_DISTANCE)
+            sum.add(supporters[i].x, supporters[i].y);
     return sum;
 }
 
 //! The line with the smallest sum of squared distances; false if it is not determined.
-bool fitLine(const Moments& m, Line& line)
+bool fitMoments(const Moments& m, Line& line)
 {
     if (m.n < 2)
         return false;
@@ -107,38 +92,105 @@ bool fitLine(const Moments& m, Line& line)
     return true;
 }
 
-} // namespace
-
-Line refineLine(const EdgeMap& edges, ushort bit, const Line& line)
+//! What the supporting pixels say of a line, and the grid of pixels besides.
+bool covarianceOf(Size image, const std::vector<Point>& supporters, const Line& line,
+                  Covariance& covariance)
 {
-    Ends ends;
-    if (!clipLine(std::cos(line.theta), std::sin(line.theta), line.rho, edges.votes.size(), ends))
-        return line;
+    const Columns columns(image, line);
+    const double middle = 0.5 * (columns.length - 1);
+    std::vector<ColumnScore> scores;
+    for (size_t i = 0; i < supporters.size(); ++i)
+    {
+        const Point pixel = supporters[i];
+        const int column = columns.xMajor ? pixel.x : pixel.y;
+        const double offset = columns.distance(column, columns.xMajor ? pixel.y : pixel.x);
+        const ColumnScore score = {column - middle, offset, 1};
+        if (std::abs(offset) <= SUPPORT_DISTANCE)
+            scores.push_back(score);
+    }
+    std::sort(scores.begin(), scores.end(),
+              [](const ColumnScore& a, const ColumnScore& b) { return a.t < b.t; });
+    OffsetCovariance result;
+    if (!offsetCovariance(scores, result))
+        return false;
+    // Where the line keeps to one row of pixels, their residuals are all alike and say nothing: an
+    // edge anywhere within the row looks the same. Each row passed is one more such observation,
+    // evenly spread over the line's length.
+    const double length = scores.back().t - scores.front().t + 1;
+    const double rows = 1 + length * std::abs(columns.major / columns.minor);
+    const double grid = columns.minor * columns.minor / 12 / rows;
+    result.aa += grid;
+    result.bb += 12 * grid / (length * length);
+    covariance = polarCovariance(columns, middle, line, result);
+    return true;
+}
+
+/** Total least squares on edge pixels. */
+bool fitEdgePixels(const EdgeMap& edges, ushort bit, const Line& line, FittedLine& fitted)
+{
+    const std::vector<Point> supporters = supportersOf(edges, bit, line);
     Line refined = line;
-    const Support support(edges, bit);
     Moments last = {0, 0, 0, 0, 0, 0};
     for (int i = 0; i < MAX_ITERATIONS; ++i)
     {
-        const Moments moments = momentsOf(support, edges.votes.size(), refined);
-        if (moments == last || !fitLine(moments, refined))
+        const Moments moments = momentsOf(supporters, refined);
+        if (moments == last || !fitMoments(moments, refined))
             break;
         last = moments;
     }
-    const double cosine = std::cos(refined.theta), sine = std::sin(refined.theta);
-    const bool moved = std::abs(cosine * ends.first.x + sine * ends.first.y - refined.rho) > 1 ||
-                       std::abs(cosine * ends.second.x + sine * ends.second.y - refined.rho) > 1;
-    return moved ? line : refined;
+    fitted.line = refined;
+    return last.n > 0 && covarianceOf(edges.votes.size(), supporters, refined, fitted.covariance);
+}
+
+//! Whether a line is within MOST_MOVED of another one's ends inside the image.
+bool isNear(const Line& line, const Ends& ends)
+{
+    const double cosine = std::cos(line.theta), sine = std::sin(line.theta);
+    return std::abs(cosine * ends.first.x + sine * ends.first.y - line.rho) <= MOST_MOVED &&
+           std::abs(cosine * ends.second.x + sine * ends.second.y - line.rho) <= MOST_MOVED;
+}
+
+} // namespace
+
+FittedLine chordLine(const Cell& frame, Chord chord)
+{
+    FittedLine result;
+    result.line = lineOf(frame, chord);
+    // Either end is anywhere within half a border edge: variance 1/12 along the border.
+    const Columns columns(Size(frame.width, frame.height), result.line);
+    const double middle = 0.5 * (columns.length - 1), length = columns.length;
+    const double end = columns.minor * columns.minor / 12;
+    const OffsetCovariance covariance = {end / 2, 0, 2 * end / (length * length)};
+    result.covariance = polarCovariance(columns, middle, result.line, covariance);
+    return result;
+}
+
+FittedLine refineLine(const EdgeMap& edges, ushort bit, const FittedLine& chord)
+{
+    Ends ends;
+    if (!clipLine(std::cos(chord.line.theta), std::sin(chord.line.theta), chord.line.rho,
+                  edges.votes.size(), ends))
+        return chord;
+    FittedLine best = chord, fitted;
+    if (fitEdgePixels(edges, bit, best.line, fitted) && isNear(fitted.line, ends))
+        best = fitted;
+    if (!edges.gradients.empty() && fitGradients(edges, edges.gradients, bit, best.line, fitted) &&
+        isNear(fitted.line, ends))
+        best = fitted;
+    return best;
 }
 
 void removeSupport(EdgeMap& edges, ushort bit, const Line& line)
 {
+    const Columns columns(edges.votes.size(), line);
     const Support support(edges, bit);
-    forEachPixelNear(edges.votes.size(), line, EXPLAINED_DISTANCE,
-                     [&](int x, int y)
-                     {
-                         if (support.has(x, y))
-                             edges.votes.ptr<uchar>(y)[x] = 0;
-                     });
+    columns.forEachWithin(EXPLAINED_DISTANCE,
+                          [&](int i, int k)
+                          {
+                              const Point pixel = columns.pixel(i, k);
+                              if (support.has(pixel))
+                                  edges.votes.ptr<uchar>(pixel.y)[pixel.x] = 0;
+                          });
 }
 
 } // namespace linespace

@@ -7,18 +7,23 @@
 #ifndef OPENCV_LINESPACE_REFINE_HPP
 #define OPENCV_LINESPACE_REFINE_HPP
 
-#include "line_geometry.hpp"
-#include "stages.hpp"
+#include "line_covariance.hpp"
 
 namespace cv {
 namespace linespace {
 
-/** Total least squares on the edge pixels within one pixel of the line, repeated with the pixels of
-the new line until they stay the same, ten times at most.
+/** The line of a chord as it is: what is known of it is that its ends are within half a border edge. */
+FittedLine chordLine(const Cell& frame, Chord chord);
+
+/** Sub-pixel position of the line of a chord.
+
+Total least squares on the edge pixels within one pixel of the line, repeated with the pixels of the
+new line until they stay the same, ten times at most; then, where the map has gradients, fitGradients
+from there. A step whose result moves an end inside the image by more than a pixel from the chord is
+left out.
 @param bit of the bin of the line's chord: of an oriented map, only pixels that carry it count.
-@return the refined line; the given one if fewer than two pixels support it or an end inside the
-image would move by more than a pixel. */
-Line refineLine(const EdgeMap& edges, ushort bit, const Line& line);
+@return the given line if neither step determines one. */
+FittedLine refineLine(const EdgeMap& edges, ushort bit, const FittedLine& line);
 
 //! Clears the edge pixels that support a line: those within two pixels of it that carry the bit.
 void removeSupport(EdgeMap& edges, ushort bit, const Line& line);

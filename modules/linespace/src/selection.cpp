@@ -58,10 +58,10 @@ public:
     {
         if (isNear(chordLine)) // spares the refinement of most
             return false;
-        const Selected selected = {candidate, refine_(candidate.chord(), chordLine)};
-        if (isNear(selected.line))
+        const Selected selected = {candidate, refine_(candidate.chord())};
+        if (isNear(selected.fitted.line))
             return false;
-        taken_.insert(selected.line);
+        taken_.insert(selected.fitted.line);
         chosen_.push_back(selected);
         return true;
     }
@@ -122,7 +122,7 @@ std::vector<Selected> selectExplaining(const EdgeMap& edges, const Plan& plan,
         candidate.votes = chordVotes(edges, plan.frame(), candidate.chord());
         if (selection.take(candidate, lineOf(plan.frame(), candidate.chord())))
             removeSupport(left, directionBit(plan.frame(), candidate.chord()),
-                          selection.chosen().back().line);
+                          selection.chosen().back().fitted.line);
     }
     std::sort(selection.chosen().begin(), selection.chosen().end(),
               [](const Selected& a, const Selected& b)

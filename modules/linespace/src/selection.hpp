@@ -7,7 +7,7 @@
 #ifndef OPENCV_LINESPACE_SELECTION_HPP
 #define OPENCV_LINESPACE_SELECTION_HPP
 
-#include "line_geometry.hpp"
+#include "line_covariance.hpp"
 #include "orientation.hpp"
 #include "peaks.hpp"
 
@@ -56,11 +56,11 @@ private:
 struct Selected
 {
     Candidate candidate;
-    Line line;
+    FittedLine fitted;
 };
 
-//! What becomes of the line of a chord before it is reported.
-typedef std::function<Line(Chord, const Line&)> Refinement;
+//! The line to report for a chord.
+typedef std::function<FittedLine(Chord)> Refinement;
 
 /** Takes the candidates in the total order and drops those whose two ends inside the image, before
 or after the refinement, are both within `distance` pixels of a line taken before; at most `most`

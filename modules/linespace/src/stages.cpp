@@ -41,7 +41,8 @@ double workingMemory(const Plan& plan, bool weighted, bool oriented, int level)
     }
     const double pixels = (double)plan.frame().width * plan.frame().height;
     // Votes as they come, in the order of the table, and those that selectExplaining leaves;
-    // directions twice as well, and what their estimation takes.
+    // directions twice as well, and the larger of what their estimation takes and two copies of the
+    // gradients.
     return most[0] + most[1] + (oriented ? 3 + 4 + 11 : 3) * pixels;
 }
 

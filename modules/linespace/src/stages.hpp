@@ -70,6 +70,8 @@ struct EdgeMap
     //! (orientation.hpp); empty: for all.
     Mat directions;
     bool isEstimated; //!< the directions, from the edge pixels themselves
+    //! From profileGradients (edge_profile.hpp), of the same size; empty: none were given.
+    Mat gradients;
 
     EdgeMap() : weighted(false), isEstimated(false) {}
     bool isOriented() const { return !directions.empty(); }

@@ -206,6 +206,7 @@ TEST_P(Linespace_Oriented, zero_gradients_and_a_right_angle_vote_for_all)
 {
     const Mat1b edges = smallScene(5);
     Ptr<LineSpaceDetector> detector = LineSpaceDetector::create(9, 0, method(), 4, backend());
+    detector->setRefine(REFINE_NONE); // the position follows the gradients at any tolerance
     const Lines expected = detectLines(*detector, edges);
     ASSERT_GT(expected.size(), 3u);
     const Mat zero = Mat::zeros(edges.size(), CV_32FC1);
@@ -224,6 +225,7 @@ TEST_P(Linespace_Oriented, estimated_from_the_edge_map)
     {
         const Mat1b edges = linesInNoise(Size(120, 90), 5, 0.03, seed, drawn);
         Ptr<LineSpaceDetector> detector = LineSpaceDetector::create(15, 0, method(), 8, backend());
+        detector->setRefine(REFINE_NONE); // estimated gradients do not tell the position
         const Gradient gradient = structureTensor(edges);
         const Lines expected = detectOriented(*detector, edges, gradient.dx, gradient.dy);
         ASSERT_GE(expected.size(), 5u);
@@ -423,14 +425,14 @@ TEST_P(Linespace_Oriented, bad_gradients)
     {
         Mat dx = good.dx.clone(), dy = good.dy.clone();
         dx.at<float>(voting[17]) = bad[i];
-        refused(dx, good.dy, {"dx, dy", "finite"});
+        refused(dx, good.dy, {"dx", "finite"});
         dy.at<float>(voting.back()) = bad[i];
-        refused(good.dx, dy, {"dx, dy", "finite"});
+        refused(good.dx, dy, {"dy", "finite"});
+        // Also where there is no edge: the gradients around a line tell its position.
+        dx = good.dx.clone();
+        dx.setTo(bad[i], edges == 0);
+        refused(dx, good.dy, {"dx", "finite"});
     }
-    // Where there is no edge nobody looks.
-    Mat dx = good.dx.clone();
-    dx.setTo(bad[0], edges == 0);
-    expectSameLines(detectOriented(*detector, edges, dx, good.dy), expected, "elsewhere");
 }
 
 INSTANTIATE_TEST_CASE_P(/**/, Linespace_Oriented,

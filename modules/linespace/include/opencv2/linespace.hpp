@@ -58,8 +58,9 @@ enum Selection
 //! What happens to a line after its chord was chosen.
 enum Refine
 {
-    REFINE_NONE = 0,         //!< the chord itself
-    REFINE_LEAST_SQUARES = 1 //!< total least squares on the edge pixels along the chord
+    REFINE_NONE = 0, //!< the chord itself
+    REFINE_LEAST_SQUARES =
+        1 //!< least squares on the edge pixels along the chord, then on given gradients
 };
 
 /** @brief Finds straight lines in a binary edge map.
@@ -111,9 +112,11 @@ public:
     That keeps the pixels of other edges, of texture and noise from adding up to a line.
     @param edges as for detect above.
     @param dx,dy the gradient of the image at each pixel, e.g. of cv::Sobel: both CV_16SC1 or both
-    CV_32FC1, of the size of edges; its length does not matter; a zero gradient votes for every
-    direction. Only the gradients at edge pixels are read; they must be finite. Both empty
-    (noArray()): they are estimated from the edge map, by its structure tensor.
+    CV_32FC1, of the size of edges, finite; a zero gradient votes for every direction. The length of
+    the gradient does not matter for the votes. With #REFINE_LEAST_SQUARES the gradients within three
+    pixels of a line, also where there is no edge pixel, tell its sub-pixel position (section 5.2), so
+    they are best given as they are, not thinned out or normalised. Both empty (noArray()): the
+    directions are estimated from the edge map, by its structure tensor.
     @param lines as for detect above; votes are the edge pixels of the right direction.
     */
     CV_WRAP virtual void detect(InputArray edges, InputArray dx, InputArray dy,
@@ -149,6 +152,14 @@ public:
     CV_WRAP virtual Size getLevelGridSize(int level) const = 0;
     //! The back end that really ran in the last call, one of #Backend; -1 before the first call.
     CV_WRAP virtual int getActiveBackend() const = 0;
+
+    /** @brief How well the lines of the last detect are known, by the pixels along them (section 5).
+    @param deviations N x 1 CV_32FC3, or std::vector<Vec3f>, a row for each line: the standard
+    deviation of rho in pixels, that of theta in radians, and their correlation, -1 to 1. They tell what
+    noise and the grid of pixels do to the position, not whether there is a line. Empty before the
+    first call and where no line was found.
+    */
+    CV_WRAP virtual void getDeviations(OutputArray deviations) const = 0;
 
     //! Votes that a line must exceed, >= 0; 0: the a-contrario rule. Default 0.
     CV_WRAP virtual void setThreshold(int threshold) = 0;
