@@ -14,8 +14,9 @@ namespace {
 const double SUPPORT_DISTANCE =
     1; // pixels; half a pixel of the chord's raster, half of the true line's
 const double EXPLAINED_DISTANCE =
-    2;                       // pixels; what a thick or slightly bent edge leaves beside its line
-const double MOST_MOVED = 1; // pixels at the ends inside the image
+    2; // pixels; what a thick or slightly bent edge leaves beside its line
+const double MOST_MOVED = 0.999; // pixels at the ends inside the image: less than one when rounded
+const double TOO_FAR = 2;        // pixels at the ends; a fit that far away is of something else
 const int MAX_ITERATIONS = 10;
 
 //! Moments of the supporting pixels; integers, so that they do not depend on the order of
@@ -40,13 +41,13 @@ struct Moments
     }
 };
 
-//! The edge pixels that can support a line which moves by up to MOST_MOVED at its ends.
+//! The edge pixels that can support a line which moves by up to TOO_FAR at its ends.
 std::vector<Point> supportersOf(const EdgeMap& edges, ushort bit, const Line& line)
 {
     const Columns columns(edges.votes.size(), line);
     const Support support(edges, bit);
     std::vector<Point> result;
-    columns.forEachWithin(SUPPORT_DISTANCE + MOST_MOVED,
+    columns.forEachWithin(SUPPORT_DISTANCE + TOO_FAR,
                           [&](int i, int k)
                           {
                               const Point pixel = columns.pixel(i, k);
@@ -142,12 +143,27 @@ bool fitEdgePixels(const EdgeMap& edges, ushort bit, const Line& line, FittedLin
     return last.n > 0 && covarianceOf(edges.votes.size(), supporters, refined, fitted.covariance);
 }
 
-//! Whether a line is within MOST_MOVED of another one's ends inside the image.
-bool isNear(const Line& line, const Ends& ends)
+/** Takes a fit of the line between two ends, if it moves these by TOO_FAR at most: as it is, or if it
+moves one by more than MOST_MOVED, as far as that on the way to it. */
+void takeWithinReach(const Ends& ends, const FittedLine& fitted, FittedLine& best)
 {
-    const double cosine = std::cos(line.theta), sine = std::sin(line.theta);
-    return std::abs(cosine * ends.first.x + sine * ends.first.y - line.rho) <= MOST_MOVED &&
-           std::abs(cosine * ends.second.x + sine * ends.second.y - line.rho) <= MOST_MOVED;
+    const double cosine = std::cos(fitted.line.theta), sine = std::sin(fitted.line.theta);
+    const double first = fitted.line.rho - cosine * ends.first.x - sine * ends.first.y,
+                 second = fitted.line.rho - cosine * ends.second.x - sine * ends.second.y;
+    const double farther = std::max(std::abs(first), std::abs(second));
+    if (!(farther <= TOO_FAR))
+        return;
+    best = fitted;
+    if (farther <= MOST_MOVED)
+        return;
+    const double share = MOST_MOVED / farther;
+    const Point2d p = ends.first + share * first * Point2d(cosine, sine),
+                  q = ends.second + share * second * Point2d(cosine, sine);
+    // Next to the fitted angle.
+    const double turn =
+        std::atan2((q - p).dot(Point2d(cosine, sine)), (q - p).dot(Point2d(-sine, cosine)));
+    best.line.theta += std::abs(turn) > CV_PI / 2 ? std::copysign(CV_PI, turn) - turn : -turn;
+    best.line.rho = p.x * std::cos(best.line.theta) + p.y * std::sin(best.line.theta);
 }
 
 } // namespace
@@ -172,11 +188,10 @@ FittedLine refineLine(const EdgeMap& edges, ushort bit, const FittedLine& chord)
                   edges.votes.size(), ends))
         return chord;
     FittedLine best = chord, fitted;
-    if (fitEdgePixels(edges, bit, best.line, fitted) && isNear(fitted.line, ends))
-        best = fitted;
-    if (!edges.gradients.empty() && fitGradients(edges, edges.gradients, bit, best.line, fitted) &&
-        isNear(fitted.line, ends))
-        best = fitted;
+    if (fitEdgePixels(edges, bit, best.line, fitted))
+        takeWithinReach(ends, fitted, best);
+    if (!edges.gradients.empty() && fitGradients(edges, edges.gradients, bit, best.line, fitted))
+        takeWithinReach(ends, fitted, best);
     return best;
 }
 

@@ -19,8 +19,8 @@ FittedLine chordLine(const Cell& frame, Chord chord);
 
 Total least squares on the edge pixels within one pixel of the line, repeated with the pixels of the
 new line until they stay the same, ten times at most; then, where the map has gradients, fitGradients
-from there. A step whose result moves an end inside the image by more than a pixel from the chord is
-left out.
+from there. Either moves the ends of the chord's line inside the image by less than a pixel: a result
+that is farther away is approached as far as that, one of more than two pixels is left out.
 @param bit of the bin of the line's chord: of an oriented map, only pixels that carry it count.
 @return the given line if neither step determines one. */
 FittedLine refineLine(const EdgeMap& edges, ushort bit, const FittedLine& line);
