@@ -4,100 +4,73 @@
 
 #include "ascent.hpp"
 
-#include <unordered_map>
-
 namespace cv {
 namespace linespace {
 
-namespace {
-
-//! Exact votes of chords of the frame, each counted once.
-class ExactVotes
+Ascent::Ascent(const ChordCounter& counter, const Cell& frame, int radius)
+    : counter_(counter), frame_(frame),
+      // On a ring of fewer points a neighbourhood would meet itself.
+      radius_(std::min(radius, (frame.borderCount() - 1) / 2))
 {
-public:
-    ExactVotes(Executor& executor, const EdgeMap& edges, const Plan& plan)
-        : executor_(executor), edges_(edges), plan_(plan)
-    {
-    }
+}
 
-    void ask(Chord chord)
-    {
-        if (votes_.insert(std::make_pair(keyOf(chord), 0)).second)
-            asked_.push_back(chord);
-    }
-    //! Counts what was asked for.
-    void count()
-    {
-        executor_.rescore(edges_, plan_, asked_, counted_);
-        for (size_t i = 0; i < asked_.size(); ++i)
-            votes_[keyOf(asked_[i])] = counted_[i];
-        asked_.clear();
-    }
-    Candidate of(Chord chord) const
-    {
-        const Candidate result = {votes_.find(keyOf(chord))->second, chord.s, chord.e};
-        return result;
-    }
-
-private:
-    size_t keyOf(Chord chord) const { return plan_.frame().chordIndex(chord.s, chord.e); }
-
-    Executor& executor_;
-    const EdgeMap& edges_;
-    const Plan& plan_;
-    std::unordered_map<size_t, int> votes_;
-    std::vector<Chord> asked_;
-    std::vector<int> counted_;
-};
-
-//! Calls visit(chord) for the neighbours of a chord on the ring.
 template<class Visit>
-void forEachNeighbour(const Cell& frame, Chord chord, Visit visit)
+void Ascent::forEachNeighbour(Chord chord, Visit visit) const
 {
-    const int points = frame.borderCount();
-    for (int i = -1; i <= 1; ++i)
-        for (int j = -1; j <= 1; ++j)
+    const int points = frame_.borderCount();
+    for (int i = -radius_; i <= radius_; ++i)
+        for (int j = -radius_; j <= radius_; ++j)
         {
             const int p = (chord.s + i + points) % points, q = (chord.e + j + points) % points;
             const Chord neighbour = {std::min(p, q), std::max(p, q)};
-            if ((i != 0 || j != 0) && frame.isChord(p, q))
+            if (frame_.isChord(p, q))
                 visit(neighbour);
         }
 }
 
-} // namespace
-
-void climbToExactMaxima(Executor& executor, const EdgeMap& edges, const Plan& plan, int steps,
-                        size_t climbers, std::vector<Candidate>& candidates)
+void Ascent::countAsked()
 {
-    climbers = std::min(climbers, candidates.size());
-    std::nth_element(candidates.begin(), candidates.begin() + climbers, candidates.end(),
-                     isStronger);
-    ExactVotes exact(executor, edges, plan);
-    for (size_t i = 0; i < candidates.size(); ++i)
-        exact.ask(candidates[i].chord());
-    exact.count();
-    for (size_t i = 0; i < candidates.size(); ++i)
-        candidates[i] = exact.of(candidates[i].chord());
+    std::vector<int> counted(asked_.size());
+    parallel_for_(Range(0, (int)asked_.size()),
+                  [&](const Range& range)
+                  {
+                      for (int i = range.start; i < range.end; ++i)
+                          counted[i] = counter_.votes(asked_[i]);
+                  });
+    for (size_t i = 0; i < asked_.size(); ++i)
+        votes_[frame_.chordIndex(asked_[i].s, asked_[i].e)] = counted[i];
+    asked_.clear();
+}
 
-    std::vector<size_t> moving(climbers);
+void Ascent::climb(std::vector<Candidate>& candidates)
+{
+    for (size_t i = 0; i < candidates.size(); ++i)
+        votes_[frame_.chordIndex(candidates[i].s, candidates[i].e)] = candidates[i].votes;
+    std::vector<size_t> moving(candidates.size());
     for (size_t i = 0; i < moving.size(); ++i)
         moving[i] = i;
-    for (int step = 0; step < steps && !moving.empty(); ++step)
+    while (!moving.empty()) // ends: every move is to a stronger one
     {
         for (size_t i = 0; i < moving.size(); ++i)
-            forEachNeighbour(plan.frame(), candidates[moving[i]].chord(),
-                             [&](Chord chord) { exact.ask(chord); });
-        exact.count();
+            forEachNeighbour(candidates[moving[i]].chord(),
+                             [&](Chord chord)
+                             {
+                                 const size_t index = frame_.chordIndex(chord.s, chord.e);
+                                 if (votes_.insert(std::make_pair(index, -1)).second)
+                                     asked_.push_back(chord);
+                             });
+        countAsked();
         std::vector<size_t> moved;
         for (size_t i = 0; i < moving.size(); ++i)
         {
             Candidate& candidate = candidates[moving[i]];
             Candidate best = candidate;
-            forEachNeighbour(plan.frame(), candidate.chord(),
+            forEachNeighbour(candidate.chord(),
                              [&](Chord chord)
                              {
-                                 const Candidate neighbour = exact.of(chord);
+                                 const Candidate neighbour = {
+                                     votes_.find(frame_.chordIndex(chord.s, chord.e))->second,
+                                     chord.s, chord.e};
                                  if (isStronger(neighbour, best))
                                      best = neighbour;
                              });
@@ -109,11 +82,6 @@ void climbToExactMaxima(Executor& executor, const EdgeMap& edges, const Plan& pl
         }
         moving.swap(moved);
     }
-    std::sort(candidates.begin(), candidates.end(), isStronger);
-    candidates.erase(std::unique(candidates.begin(), candidates.end(),
-                                 [](const Candidate& a, const Candidate& b)
-                                 { return a.s == b.s && a.e == b.e; }),
-                     candidates.end());
 }
 
 } // namespace linespace

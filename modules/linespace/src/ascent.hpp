@@ -7,18 +7,37 @@
 #ifndef OPENCV_LINESPACE_ASCENT_HPP
 #define OPENCV_LINESPACE_ASCENT_HPP
 
+#include "chord_counter.hpp"
 #include "peaks.hpp"
-#include "stages.hpp"
+
+#include <unordered_map>
 
 namespace cv {
 namespace linespace {
 
-/** Counts the candidates exactly. The `climbers` strongest by the votes that they came with then
-move, while one of the eight neighbours on the ring is stronger by exact votes in the total order,
-to the strongest of these, `steps` times at most. Those that meet become one.
-@param candidates votes of the cascade; on return exact votes, in the total order. */
-void climbToExactMaxima(Executor& executor, const EdgeMap& edges, const Plan& plan, int steps,
-                        size_t climbers, std::vector<Candidate>& candidates);
+/** Moves candidates to maxima of the exact votes: to the strongest, in the total order, of the
+(2 radius + 1)^2 ring neighbourhood, and so on until there is none that is stronger. Votes are
+counted once for each chord that is looked at, however many pass by. */
+class Ascent
+{
+public:
+    Ascent(const ChordCounter& counter, const Cell& frame, int radius);
+
+    //! The candidates' votes are exact, before and after.
+    void climb(std::vector<Candidate>& candidates);
+
+private:
+    template<class Visit>
+    void forEachNeighbour(Chord chord, Visit visit) const;
+    //! Counts the chords that were asked for.
+    void countAsked();
+
+    const ChordCounter& counter_;
+    Cell frame_;
+    int radius_;
+    std::unordered_map<size_t, int> votes_; //!< by the chords' indices
+    std::vector<Chord> asked_;
+};
 
 } // namespace linespace
 } // namespace cv

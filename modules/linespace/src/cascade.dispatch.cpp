@@ -6,6 +6,7 @@
 // per task to the best instruction set (cascade.simd.hpp). Tasks write disjoint parts of a table
 // and read what no task writes, so the result does not depend on the number of threads.
 
+#include "chord_counter.hpp"
 #include "stages.hpp"
 
 #include "cascade.simd.hpp"
@@ -48,49 +49,6 @@ const int ROWS_PER_TASK = 16;
 int taskCount(size_t items, size_t itemsPerTask)
 {
     return (int)((items + itemsPerTask - 1) / itemsPerTask);
-}
-
-/** chordVotes with the raster in fixed point. The minor coordinate is monotone, so the pixels
-inside the image are one run. */
-int chordVotesFast(const EdgeMap& edges, const Cell& frame, Chord chord)
-{
-    const Raster raster(frame, chord);
-    int64 start, increment;
-    if (!raster.fixedPoint(start, increment))
-        return chordVotes(edges, frame, chord);
-    const Mat& votes = edges.votes;
-    const int majorLimit = raster.xMajor ? votes.cols : votes.rows,
-              minorLimit = raster.xMajor ? votes.rows : votes.cols;
-    int begin = 0, end = std::min(raster.count, majorLimit - raster.first);
-    const auto isOutside = [&](int i)
-    {
-        return (start + i * increment) >> 32 >= minorLimit;
-    };
-    while (begin < end && isOutside(begin))
-        ++begin;
-    while (begin < end && isOutside(end - 1))
-        --end;
-    const ptrdiff_t width = votes.cols; // the maps are continuous
-    const ptrdiff_t majorStride = raster.xMajor ? 1 : width,
-                    minorStride = raster.xMajor ? width : 1;
-    ptrdiff_t at = (raster.first + begin) * majorStride;
-    int64 minor = start + begin * increment;
-    const uchar* const values = votes.ptr<uchar>();
-    int sum = 0;
-    if (edges.isOriented())
-    {
-        const ushort* const bits = edges.directions.ptr<ushort>();
-        const ushort bit = directionBit(frame, chord);
-        for (int i = begin; i < end; ++i, at += majorStride, minor += increment)
-        {
-            const ptrdiff_t pixel = at + (ptrdiff_t)(minor >> 32) * minorStride;
-            sum += bits[pixel] & bit ? values[pixel] : 0;
-        }
-        return sum;
-    }
-    for (int i = begin; i < end; ++i, at += majorStride, minor += increment)
-        sum += values[at + (ptrdiff_t)(minor >> 32) * minorStride];
-    return sum;
 }
 
 class CpuExecutor : public Executor
@@ -172,13 +130,14 @@ public:
                  std::vector<int>& votes) CV_OVERRIDE
     {
         votes.resize(chords.size());
+        const ChordCounter counter(edges, plan.frame());
         const size_t perTask = 64;
         parallel_for_(Range(0, taskCount(chords.size(), perTask)),
                       [&](const Range& range)
                       {
                           const size_t end = std::min(chords.size(), range.end * perTask);
                           for (size_t i = range.start * perTask; i < end; ++i)
-                              votes[i] = chordVotesFast(edges, plan.frame(), chords[i]);
+                              votes[i] = counter.votes(chords[i]);
                       });
     }
 

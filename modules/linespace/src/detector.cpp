@@ -6,7 +6,6 @@
 // stages in order. No mathematics of its own.
 
 #include "acontrario.hpp"
-#include "ascent.hpp"
 #include "backends.hpp"
 #include "edge_profile.hpp"
 #include "line_geometry.hpp"
@@ -169,6 +168,8 @@ void writeCell(const VoteTable& table, const Cell& cell, size_t cellIndex, Mat o
         }
     }
 }
+
+const int MAX_ASCENT_RADIUS = 2; // a larger neighbourhood costs more counts than it finds lines
 
 class LineSpaceDetectorImpl CV_FINAL : public LineSpaceDetector
 {
@@ -580,9 +581,13 @@ private:
         // The exact method's votes need no second count and no lower threshold.
         const bool exact = parameters_.method == METHOD_EXACT;
         const double ratio = exact ? 1 : parameters_.candidateRatio;
+        const int minVotes = cvFloor(ratio * requirement.threshold);
+        const bool parallel = ascentRadius() > 0 && parameters_.suppression == SUPPRESS_RING &&
+                              parameters_.suppressionRadius <= MAX_ASCENT_RADIUS;
         std::vector<Candidate> candidates =
-            findCandidates(result_, frame, cvFloor(ratio * requirement.threshold),
-                           parameters_.suppression, parameters_.suppressionRadius);
+            parallel ? findParallelMaxima(result_, frame, minVotes)
+                     : findCandidates(result_, frame, minVotes, parameters_.suppression,
+                                      parameters_.suppressionRadius);
         removeIf(candidates,
                  [&](const Candidate& candidate)
                  {
@@ -590,40 +595,23 @@ private:
                      return !requirement.canBeMet(plan, candidate, ratio) ||
                             !angles.represent(line);
                  });
-        if (!exact)
-        {
-            size_t climbers = candidates.size();
-            if (parameters_.maxLines > 0)
-            {
-                const int64 pool =
-                    std::max<int64>(parameters_.poolSize, 16 * (int64)parameters_.maxLines);
-                keepStrongest(candidates, (size_t)pool);
-                climbers = (size_t)((pool + 3) / 4);
-            }
-            // A maximum stands for its neighbourhood, where the best exact chord may be another
-            // one.
-            climbToExactMaxima(*executor_, edges, plan, parameters_.suppressionRadius, climbers,
-                               candidates);
-            removeIf(candidates,
-                     [&](const Candidate& candidate)
-                     {
-                         Line line = lineOf(frame, candidate.chord());
-                         return !angles.represent(line);
-                     });
-        }
-        removeIf(candidates, [&](const Candidate& candidate)
-                 { return !requirement.isMet(edges, plan, candidate); });
-        const size_t most =
-            parameters_.maxLines > 0 ? (size_t)parameters_.maxLines : candidates.size();
-        const double distance = parameters_.suppressionDistance;
-        const Refinement refine = [&](Chord chord)
+        if (!exact && parameters_.maxLines > 0)
+            keepStrongest(candidates, std::max<size_t>(parameters_.poolSize,
+                                                       16 * (size_t)parameters_.maxLines));
+        std::vector<Waiting> waiting = recounted(edges, plan, requirement, candidates);
+        SelectionRule rule;
+        rule.requirement = requirement;
+        rule.angles = angles;
+        rule.explain = parameters_.selection == SELECT_EXPLAIN;
+        rule.ascentRadius = ascentRadius();
+        rule.distance = parameters_.suppressionDistance;
+        rule.most = parameters_.maxLines > 0 ? (size_t)parameters_.maxLines
+                                             : std::numeric_limits<size_t>::max();
+        rule.refine = [&](Chord chord)
         {
             return refined(edges, frame, chord, angles);
         };
-        const std::vector<Selected> chosen =
-            parameters_.selection == SELECT_EXPLAIN
-                ? selectExplaining(edges, plan, requirement, candidates, refine, distance, most)
-                : selectPeaks(plan, candidates, refine, distance, most);
+        const std::vector<Selected> chosen = selectLines(edges, plan, rule, waiting);
         for (size_t i = 0; i < chosen.size(); ++i)
         {
             FittedLine fitted = chosen[i].fitted;
@@ -638,6 +626,45 @@ private:
             lines.push_back(Vec3f(polar[0], polar[1], (float)chosen[i].candidate.votes));
             deviations.push_back(fitted.covariance.deviations());
         }
+    }
+
+    //! The table of METHOD_EXACT holds exact votes: its maxima are maxima of these.
+    int ascentRadius() const
+    {
+        return parameters_.method == METHOD_EXACT
+                   ? 0
+                   : std::min<int>(parameters_.suppressionRadius, MAX_ASCENT_RADIUS);
+    }
+
+    /** The candidates with their exact votes. Those that do not climb must meet the requirement by
+    these. */
+    std::vector<Waiting> recounted(const EdgeMap& edges, const Plan& plan,
+                                   const Requirement& requirement,
+                                   const std::vector<Candidate>& candidates) const
+    {
+        const bool exact = parameters_.method == METHOD_EXACT;
+        std::vector<int> votes;
+        if (!exact)
+        {
+            std::vector<Chord> chords(candidates.size());
+            for (size_t i = 0; i < chords.size(); ++i)
+                chords[i] = candidates[i].chord();
+            executor_->rescore(edges, plan, chords, votes);
+        }
+        const bool climbs = ascentRadius() > 0;
+        std::vector<Waiting> result;
+        result.reserve(candidates.size());
+        for (size_t i = 0; i < candidates.size(); ++i)
+        {
+            Candidate candidate = candidates[i];
+            if (!exact)
+                candidate.votes = votes[i];
+            const int promise = climbs ? std::max(0, candidates[i].votes - candidate.votes) : 0;
+            const Waiting waiting = {candidate, candidate.votes, promise, false};
+            if (climbs || requirement.isMet(edges, plan, candidate))
+                result.push_back(waiting);
+        }
+        return result;
     }
 
     //! The line to report for a chord: one that leaves the interval of angles stays as it was.

@@ -40,6 +40,12 @@ struct RingTable
         return true;
     }
 
+    bool isParallelMaximum(const Candidate& candidate) const
+    {
+        return !isStronger(at(wrap(candidate.s + 1), wrap(candidate.e - 1)), candidate) &&
+               !isStronger(at(wrap(candidate.s - 1), wrap(candidate.e + 1)), candidate);
+    }
+
     /** The ends [first, last) of row s for which the neighbourhood lies in whole rows of the table
     and touches neither the mirror line nor an end of a row, so that neighbours stand at fixed
     distances. */
@@ -124,34 +130,55 @@ std::vector<Candidate> collectByRows(int rows, int rowsPerTask, Collect collect)
     return all;
 }
 
+/** The chords above the threshold for which isInner(entry, length of a row) holds, where the
+neighbourhood of the radius lies within whole rows, and isMaximum(candidate) elsewhere. */
+template<class Votes, class IsInner, class IsMaximum>
+std::vector<Candidate> maxima(const RingTable<Votes>& table, int rows, int threshold, int radius,
+                              IsInner isInner, IsMaximum isMaximum)
+{
+    return collectByRows(
+        rows, ROWS_PER_TASK,
+        [&](int begin, int end, std::vector<Candidate>& found)
+        {
+            int row = -1, rowLength = 0;
+            Range inner;
+            forEachAbove(table, begin, end, threshold,
+                         [&](int s, int e, const Votes* entry)
+                         {
+                             if (s != row)
+                             {
+                                 row = s;
+                                 rowLength = table.frame.rowLength(table.frame.sideOf(s));
+                                 inner = table.innerEnds(s, radius);
+                             }
+                             const Candidate candidate = {(int)*entry, s, e};
+                             if (e >= inner.start && e < inner.end ? isInner(entry, rowLength)
+                                                                   : isMaximum(candidate))
+                                 found.push_back(candidate);
+                         });
+        });
+}
+
 template<class Votes>
 std::vector<Candidate> ringMaxima(const RingTable<Votes>& table, int rows, int threshold,
                                   int radius)
 {
-    return collectByRows(rows, ROWS_PER_TASK,
-                         [&](int begin, int end, std::vector<Candidate>& found)
-                         {
-                             int row = -1, rowLength = 0;
-                             Range inner;
-                             forEachAbove(
-                                 table, begin, end, threshold,
-                                 [&](int s, int e, const Votes* entry)
-                                 {
-                                     if (s != row)
-                                     {
-                                         row = s;
-                                         rowLength = table.frame.rowLength(table.frame.sideOf(s));
-                                         inner = table.innerEnds(s, radius);
-                                     }
-                                     const Candidate candidate = {(int)*entry, s, e};
-                                     const bool maximum =
-                                         e >= inner.start && e < inner.end
-                                             ? table.isInnerMaximum(entry, rowLength, radius)
-                                             : table.isRingMaximum(candidate, radius);
-                                     if (maximum)
-                                         found.push_back(candidate);
-                                 });
-                         });
+    return maxima(
+        table, rows, threshold, radius,
+        [=](const Votes* entry, ptrdiff_t rowLength)
+        { return RingTable<Votes>::isInnerMaximum(entry, rowLength, radius); },
+        [=](const Candidate& candidate) { return table.isRingMaximum(candidate, radius); });
+}
+
+template<class Votes>
+std::vector<Candidate> parallelMaximaOf(const VoteTable& votes, const Cell& frame, int threshold)
+{
+    const RingTable<Votes> table = {votes.ptr<Votes>(), frame, frame.borderCount()};
+    return maxima(
+        table, frame.firstPoint(SIDE_LEFT), threshold, 1,
+        [](const Votes* entry, ptrdiff_t rowLength)
+        { return entry[1 - rowLength] < *entry && entry[rowLength - 1] <= *entry; },
+        [=](const Candidate& candidate) { return table.isParallelMaximum(candidate); });
 }
 
 template<class Votes>
@@ -244,6 +271,16 @@ std::vector<Candidate> findCandidates(const VoteTable& table, const Cell& frame,
     if (table.depth == 2)
         return findCandidatesOf<ushort>(table, frame, threshold, suppression, radius);
     return findCandidatesOf<int>(table, frame, threshold, suppression, radius);
+}
+
+std::vector<Candidate> findParallelMaxima(const VoteTable& table, const Cell& frame, int threshold)
+{
+    CV_DbgAssert(table.cells == 1 && table.chords == frame.chordCount() && threshold >= 0);
+    if (table.depth == 1)
+        return parallelMaximaOf<uchar>(table, frame, threshold);
+    if (table.depth == 2)
+        return parallelMaximaOf<ushort>(table, frame, threshold);
+    return parallelMaximaOf<int>(table, frame, threshold);
 }
 
 void keepStrongest(std::vector<Candidate>& candidates, size_t count)

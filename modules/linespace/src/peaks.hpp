@@ -39,6 +39,12 @@ takes the chords strongest first and deletes the ring neighbourhood of each.
 std::vector<Candidate> findCandidates(const VoteTable& table, const Cell& frame, int threshold,
                                       int suppression, int radius);
 
+/** The chords with more than `threshold` votes that are stronger, in the total order, than the two
+that run parallel to them on either side, (s + 1, e - 1) and (s - 1, e + 1): fewer are lost than by
+SUPPRESS_RING where the votes are those of the cascade, which errs by more from one chord to the
+next than the lines nearby differ. */
+std::vector<Candidate> findParallelMaxima(const VoteTable& table, const Cell& frame, int threshold);
+
 //! Keeps the `count` strongest candidates, in no particular order.
 void keepStrongest(std::vector<Candidate>& candidates, size_t count);
 

@@ -41,13 +41,14 @@ struct Moments
     }
 };
 
-//! The edge pixels that can support a line which moves by up to TOO_FAR at its ends.
-std::vector<Point> supportersOf(const EdgeMap& edges, ushort bit, const Line& line)
+//! The edge pixels that carry the bit within a distance of a line, in the order of its columns.
+std::vector<Point> supportersWithin(double reach, const EdgeMap& edges, ushort bit,
+                                    const Line& line)
 {
     const Columns columns(edges.votes.size(), line);
     const Support support(edges, bit);
     std::vector<Point> result;
-    columns.forEachWithin(SUPPORT_DISTANCE + TOO_FAR,
+    columns.forEachWithin(reach,
                           [&](int i, int k)
                           {
                               const Point pixel = columns.pixel(i, k);
@@ -129,7 +130,9 @@ bool covarianceOf(Size image, const std::vector<Point>& supporters, const Line& 
 /** Total least squares on edge pixels. */
 bool fitEdgePixels(const EdgeMap& edges, ushort bit, const Line& line, FittedLine& fitted)
 {
-    const std::vector<Point> supporters = supportersOf(edges, bit, line);
+    // Also those of a line that moves by up to TOO_FAR at its ends.
+    const std::vector<Point> supporters =
+        supportersWithin(SUPPORT_DISTANCE + TOO_FAR, edges, bit, line);
     Line refined = line;
     Moments last = {0, 0, 0, 0, 0, 0};
     for (int i = 0; i < MAX_ITERATIONS; ++i)
@@ -195,17 +198,9 @@ FittedLine refineLine(const EdgeMap& edges, ushort bit, const FittedLine& chord)
     return best;
 }
 
-void removeSupport(EdgeMap& edges, ushort bit, const Line& line)
+std::vector<Point> explainedPixels(const EdgeMap& edges, ushort bit, const Line& line)
 {
-    const Columns columns(edges.votes.size(), line);
-    const Support support(edges, bit);
-    columns.forEachWithin(EXPLAINED_DISTANCE,
-                          [&](int i, int k)
-                          {
-                              const Point pixel = columns.pixel(i, k);
-                              if (support.has(pixel))
-                                  edges.votes.ptr<uchar>(pixel.y)[pixel.x] = 0;
-                          });
+    return supportersWithin(EXPLAINED_DISTANCE, edges, bit, line);
 }
 
 } // namespace linespace

@@ -25,8 +25,8 @@ that is farther away is approached as far as that, one of more than two pixels i
 @return the given line if neither step determines one. */
 FittedLine refineLine(const EdgeMap& edges, ushort bit, const FittedLine& line);
 
-//! Clears the edge pixels that support a line: those within two pixels of it that carry the bit.
-void removeSupport(EdgeMap& edges, ushort bit, const Line& line);
+//! The edge pixels that a line explains: those within two pixels of it that carry the bit.
+std::vector<Point> explainedPixels(const EdgeMap& edges, ushort bit, const Line& line);
 
 } // namespace linespace
 } // namespace cv

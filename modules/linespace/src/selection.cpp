@@ -4,130 +4,181 @@
 
 #include "selection.hpp"
 
+#include "ascent.hpp"
 #include "refine.hpp"
 
 #include <cmath>
+#include <limits>
+#include <unordered_set>
 
 namespace cv {
 namespace linespace {
 
 namespace {
 
-bool isWeaker(const Candidate& a, const Candidate& b)
+const size_t BATCH = 32; // candidates that climb at a time, in parallel
+
+bool waitsBehind(const Waiting& a, const Waiting& b)
 {
-    return isStronger(b, a);
+    const Candidate first = {a.key(), a.candidate.s, a.candidate.e},
+                    second = {b.key(), b.candidate.s, b.candidate.e};
+    return isStronger(second, first);
 }
 
-//! Gives the strongest candidate first without sorting those that are never asked for.
-class CandidateQueue
+//! Gives the largest key first without sorting those that are never asked for.
+class Queue
 {
 public:
-    explicit CandidateQueue(std::vector<Candidate>& candidates) : heap_(candidates)
+    explicit Queue(std::vector<Waiting>& candidates) : heap_(candidates)
     {
-        std::make_heap(heap_.begin(), heap_.end(), isWeaker);
+        std::make_heap(heap_.begin(), heap_.end(), waitsBehind);
     }
     bool empty() const { return heap_.empty(); }
-    Candidate pop()
+    const Waiting& first() const { return heap_.front(); }
+    Waiting pop()
     {
-        std::pop_heap(heap_.begin(), heap_.end(), isWeaker);
-        const Candidate strongest = heap_.back();
+        std::pop_heap(heap_.begin(), heap_.end(), waitsBehind);
+        const Waiting first = heap_.back();
         heap_.pop_back();
-        return strongest;
+        return first;
     }
-    void push(const Candidate& candidate)
+    void push(const Waiting& candidate)
     {
         heap_.push_back(candidate);
-        std::push_heap(heap_.begin(), heap_.end(), isWeaker);
+        std::push_heap(heap_.begin(), heap_.end(), waitsBehind);
     }
 
 private:
-    std::vector<Candidate>& heap_;
+    std::vector<Waiting>& heap_;
 };
 
-//! Lines that were taken, and whether another one may be.
-class TakenLines
+class LineSelection
 {
 public:
-    TakenLines(Size image, const Refinement& refine, double distance)
-        : image_(image), refine_(refine), taken_(image, distance)
+    LineSelection(const EdgeMap& edges, const Plan& plan, const SelectionRule& rule,
+                  std::vector<Waiting>& candidates)
+        : edges_(edges), plan_(plan), frame_(plan.frame()), rule_(rule), queue_(candidates),
+          all_(edges, frame_), ascent_(all_, frame_, rule.ascentRadius),
+          taken_(plan.imageSize(), rule.distance)
     {
+        if (rule.explain)
+            left_ = makePtr<ChordCounter>(edges, frame_);
+    }
+
+    std::vector<Selected> run()
+    {
+        while (!queue_.empty() && chosen_.size() < rule_.most)
+        {
+            if (!queue_.first().hasClimbed && rule_.ascentRadius > 0)
+                climbNext();
+            else
+                considerNext();
+        }
+        std::sort(chosen_.begin(), chosen_.end(),
+                  [](const Selected& a, const Selected& b)
+                  { return isStronger(a.candidate, b.candidate); });
+        return chosen_;
+    }
+
+private:
+    void climbNext()
+    {
+        const bool all = rule_.most == std::numeric_limits<size_t>::max();
+        std::vector<Candidate> batch;
+        while (!queue_.empty() && !queue_.first().hasClimbed && (all || batch.size() < BATCH))
+        {
+            const Waiting next = queue_.pop();
+            if (isNearTaken(lineOf(frame_, next.candidate.chord())) || hasFallen(next))
+                continue;
+            batch.push_back(next.candidate);
+        }
+        ascent_.climb(batch);
+        for (size_t i = 0; i < batch.size(); ++i)
+        {
+            Line line = lineOf(frame_, batch[i].chord());
+            if (summits_.insert(frame_.chordIndex(batch[i].s, batch[i].e)).second &&
+                rule_.requirement.isMet(edges_, plan_, batch[i]) && rule_.angles.represent(line))
+            {
+                const Waiting waiting = {batch[i], batch[i].votes, 0, true};
+                queue_.push(waiting);
+            }
+        }
+    }
+
+    /** Whether pixels of a candidate were explained since it was queued. It then waits again with the
+    votes that are left, if these can do. */
+    bool hasFallen(Waiting waiting)
+    {
+        if (!rule_.explain)
+            return false;
+        const int left = left_->votes(waiting.candidate.chord());
+        if (left == waiting.left)
+            return false;
+        // Votes only fall, so one that still has what it waited with is the strongest of all.
+        waiting.left = left;
+        const Candidate now = {waiting.key(), waiting.candidate.s, waiting.candidate.e};
+        if (waiting.hasClimbed ? rule_.requirement.isMet(left_->edges(), plan_, now)
+                               : rule_.requirement.canBeMet(plan_, now, 1))
+            queue_.push(waiting);
+        return true;
+    }
+
+    void considerNext()
+    {
+        const Waiting next = queue_.pop();
+        const Candidate& candidate = next.candidate;
+        if (hasFallen(next))
+            return;
+        if (take(candidate) && rule_.explain)
+        {
+            const std::vector<Point> explained =
+                explainedPixels(left_->edges(), directionBit(frame_, candidate.chord()),
+                                chosen_.back().fitted.line);
+            for (size_t i = 0; i < explained.size(); ++i)
+                left_->remove(explained[i]);
+        }
     }
 
     //! Takes the candidate's line, refined, unless it is near one taken before or misses the image.
-    bool take(const Candidate& candidate, const Line& chordLine)
+    bool take(const Candidate& candidate)
     {
-        if (isNear(chordLine)) // spares the refinement of most
+        if (isNearTaken(lineOf(frame_, candidate.chord()))) // spares the refinement of most
             return false;
-        const Selected selected = {candidate, refine_(candidate.chord())};
-        if (isNear(selected.fitted.line))
+        const Selected selected = {candidate, rule_.refine(candidate.chord())};
+        if (isNearTaken(selected.fitted.line))
             return false;
         taken_.insert(selected.fitted.line);
         chosen_.push_back(selected);
         return true;
     }
 
-    std::vector<Selected>& chosen() { return chosen_; }
-
-private:
-    bool isNear(const Line& line) const
+    bool isNearTaken(const Line& line) const
     {
         Ends ends;
-        return !clipLine(std::cos(line.theta), std::sin(line.theta), line.rho, image_, ends) ||
+        return !clipLine(std::cos(line.theta), std::sin(line.theta), line.rho, plan_.imageSize(),
+                         ends) ||
                taken_.hasNear(line, ends);
     }
 
-    Size image_;
-    const Refinement& refine_;
+    const EdgeMap& edges_;
+    const Plan& plan_;
+    const Cell frame_;
+    const SelectionRule& rule_;
+    Queue queue_;
+    const ChordCounter all_;
+    Ascent ascent_;
+    Ptr<ChordCounter> left_;             // without what the lines taken explain
+    std::unordered_set<size_t> summits_; // indices of the chords that candidates climbed to
     LineIndex taken_;
     std::vector<Selected> chosen_;
 };
 
 } // namespace
 
-std::vector<Selected> selectPeaks(const Plan& plan, std::vector<Candidate>& candidates,
-                                  const Refinement& refine, double distance, size_t most)
+std::vector<Selected> selectLines(const EdgeMap& edges, const Plan& plan, const SelectionRule& rule,
+                                  std::vector<Waiting>& candidates)
 {
-    TakenLines selection(plan.imageSize(), refine, distance);
-    CandidateQueue queue(candidates);
-    while (!queue.empty() && selection.chosen().size() < most)
-    {
-        const Candidate candidate = queue.pop();
-        selection.take(candidate, lineOf(plan.frame(), candidate.chord()));
-    }
-    return selection.chosen();
-}
-
-std::vector<Selected> selectExplaining(const EdgeMap& edges, const Plan& plan,
-                                       const Requirement& requirement,
-                                       std::vector<Candidate>& candidates, const Refinement& refine,
-                                       double distance, size_t most)
-{
-    TakenLines selection(plan.imageSize(), refine, distance);
-    CandidateQueue queue(candidates);
-    EdgeMap left = edges;
-    left.votes = edges.votes.clone();
-    while (!queue.empty() && selection.chosen().size() < most)
-    {
-        Candidate candidate = queue.pop();
-        // Votes only fall, so a candidate that still has what it was queued with is the strongest
-        // of all.
-        const int votes = chordVotes(left, plan.frame(), candidate.chord());
-        if (votes < candidate.votes)
-        {
-            candidate.votes = votes;
-            if (requirement.isMet(left, plan, candidate))
-                queue.push(candidate);
-            continue;
-        }
-        candidate.votes = chordVotes(edges, plan.frame(), candidate.chord());
-        if (selection.take(candidate, lineOf(plan.frame(), candidate.chord())))
-            removeSupport(left, directionBit(plan.frame(), candidate.chord()),
-                          selection.chosen().back().fitted.line);
-    }
-    std::sort(selection.chosen().begin(), selection.chosen().end(),
-              [](const Selected& a, const Selected& b)
-              { return isStronger(a.candidate, b.candidate); });
-    return selection.chosen();
+    return LineSelection(edges, plan, rule, candidates).run();
 }
 
 } // namespace linespace

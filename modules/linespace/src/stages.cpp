@@ -40,10 +40,9 @@ double workingMemory(const Plan& plan, bool weighted, bool oriented, int level)
         most[l % 2] = std::max(most[l % 2], bytes);
     }
     const double pixels = (double)plan.frame().width * plan.frame().height;
-    // Votes as they come, in the order of the table, and those that selectExplaining leaves;
-    // directions twice as well, and the larger of what their estimation takes and two copies of the
-    // gradients.
-    return most[0] + most[1] + (oriented ? 3 + 4 + 11 : 3) * pixels;
+    // Votes as they come, transposed once, and in two copies of both for the selection; directions
+    // likewise, and two copies of the gradients.
+    return most[0] + most[1] + (oriented ? 6 + 12 + 8 : 2 + 4) * pixels;
 }
 
 namespace {
