@@ -7,23 +7,45 @@
 #ifndef LINESPACE_CASCADE_CROSSING_RULES_HPP
 #define LINESPACE_CASCADE_CROSSING_RULES_HPP
 
-#include "inputs.hpp"
+#include "square_map.hpp"
 
 #include <ostream>
 #include <vector>
 
 namespace cascade {
 
-//! Compares the naive cascade with LineSpaceDetector::compute, tolerance 0; throws
-//! std::runtime_error at the first vote that differs.
-void requireShippedRule();
+//! Rules and cell sizes over all images that were added.
+class CrossingRules
+{
+public:
+    CrossingRules();
+    //! @param map not oriented
+    void add(const SquareMap& map);
+    //! A row for each rule and cell size.
+    void write(std::ostream& out) const;
+    //! A row for each image, rule and cell size.
+    void writeCsv(std::ostream& out) const;
 
-/** Tables over rules and cell sizes.
-@param inputs edge maps of RULE_SIZE x RULE_SIZE pixels.
-@param csv one row for each image, rule and cell size. */
-void writeCrossingRules(std::ostream& out, std::ostream& csv, const std::vector<Input>& inputs);
+private:
+    struct PerImage
+    {
+        Source source;
+        std::size_t chords;
+        double meanRatio;
+        int exactLines, foundSimply, foundByAscent;
+    };
+    struct Setting
+    {
+        CrossingRule rule;
+        int cellSize;
+        MergeCost cost;
+        std::vector<float> ratios; //!< of the cascade's votes to the exact ones
+        std::vector<PerImage> images;
+    };
+    static void writeRow(std::ostream& out, const Setting& setting);
 
-constexpr int RULE_SIZE = 256; //!< pixels
+    std::vector<Setting> settings_;
+};
 
 } // namespace cascade
 

@@ -57,6 +57,20 @@ void addFolder(const std::string& evaluation, const std::string& group,
               [](const Source& a, const Source& b) { return a.name < b.name; });
 }
 
+cv::Mat1b read(const Source& source)
+{
+    const std::filesystem::path path(source.path);
+    return support::readPhotograph(path.parent_path().string(), path.filename().string());
+}
+
+Input inputOf(const Source& source, const cv::Mat1b& image)
+{
+    Input input{source, support::cannyEdges(image), {}, {}};
+    cv::Sobel(image, input.dx, CV_16S, 1, 0);
+    cv::Sobel(image, input.dy, CV_16S, 0, 1);
+    return input;
+}
+
 } // namespace
 
 std::vector<Source> photographs(const std::string& samples, const std::string& evaluation)
@@ -75,17 +89,17 @@ std::vector<Source> photographs(const std::string& samples, const std::string& e
 
 Input readInput(const Source& source, int longest)
 {
-    const std::filesystem::path path(source.path);
-    cv::Mat1b image =
-        support::readPhotograph(path.parent_path().string(), path.filename().string());
+    cv::Mat1b image = read(source);
     const double scale = (double)longest / std::max(image.cols, image.rows);
     if (scale < 1)
         image = support::scaled(image,
                                 cv::Size(cvRound(image.cols * scale), cvRound(image.rows * scale)));
-    Input input{source, support::cannyEdges(image), {}, {}};
-    cv::Sobel(image, input.dx, CV_16S, 1, 0);
-    cv::Sobel(image, input.dy, CV_16S, 0, 1);
-    return input;
+    return inputOf(source, image);
+}
+
+Input readSquare(const Source& source, int side)
+{
+    return inputOf(source, support::scaled(read(source), cv::Size(side, side)));
 }
 
 } // namespace cascade

@@ -40,6 +40,9 @@ std::vector<Source> photographs(const std::string& samples, const std::string& e
 @param longest an image with a longer side (pixels) is reduced to it; the exact method is O(n^3). */
 Input readInput(const Source& source, int longest);
 
+//! The same, scaled to a square of `side` pixels.
+Input readSquare(const Source& source, int side);
+
 } // namespace cascade
 
 #endif // LINESPACE_CASCADE_INPUTS_HPP

@@ -24,4 +24,13 @@ double leastError(const cv::Vec4f& ends, const std::vector<cv::Vec3f>& lines, st
     return least;
 }
 
+int countFound(const std::vector<cv::Vec4f>& ends, const std::vector<cv::Vec3f>& lines,
+               std::size_t count)
+{
+    int found = 0;
+    for (const cv::Vec4f& line : ends)
+        found += leastError(line, lines, count) <= SAME_LINE;
+    return found;
+}
+
 } // namespace cascade

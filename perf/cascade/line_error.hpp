@@ -22,6 +22,10 @@ double lineError(const cv::Vec4f& ends, const cv::Vec3f& line);
 //! The smallest line error of the first `count` of the lines; infinite if there are none.
 double leastError(const cv::Vec4f& ends, const std::vector<cv::Vec3f>& lines, std::size_t count);
 
+//! How many of the true lines have one of the first `count` lines within SAME_LINE.
+int countFound(const std::vector<cv::Vec4f>& ends, const std::vector<cv::Vec3f>& lines,
+               std::size_t count);
+
 //! Two lines are the same one if their line error is at most so many pixels.
 constexpr double SAME_LINE = 1.5;
 

@@ -4,17 +4,15 @@
 
 // Writes doc/cascade.md: see perf/README.md.
 
+#include "candidate_rules.hpp"
 #include "crossing_rules.hpp"
 #include "inputs.hpp"
 #include "losses.hpp"
 #include "recall.hpp"
 
-#include "support/edge_maps.hpp"
 #include "support/machine.hpp"
 
 #include <CLI/CLI.hpp>
-
-#include "opencv2/imgproc.hpp"
 
 #include <fstream>
 #include <iostream>
@@ -35,51 +33,54 @@ void write(const std::string& path, const std::string& text)
         throw std::runtime_error("cannot write " + path);
 }
 
-//! The same photograph as a square of the size that the rules of the crossing are studied at.
-cascade::Input squareOf(const cascade::Source& source)
-{
-    const cv::Size size(cascade::RULE_SIZE, cascade::RULE_SIZE);
-    const std::size_t slash = source.path.rfind('/');
-    return {source,
-            support::cannyEdges(support::scaled(
-                support::readPhotograph(source.path.substr(0, slash), source.name), size)),
-            {},
-            {}};
-}
-
-std::string study(const Options& options, const std::string& heading)
+//! What is studied, image after image.
+struct Study
 {
     std::vector<cascade::Recall> recalls;
     std::vector<cascade::Loss> losses;
-    std::vector<cascade::Input> squares;
-    const auto sources = cascade::photographs(options.samples, options.evaluation);
-    for (std::size_t i = 0; i < sources.size(); i += options.every)
+    cascade::CandidateRules candidateRules;
+    cascade::CrossingRules crossingRules;
+
+    void add(const cascade::Source& source, int longest)
     {
-        std::cerr << sources[i].group << "/" << sources[i].name << "\n";
-        const cascade::Input input = cascade::readInput(sources[i], options.longest);
+        const cascade::Input input = cascade::readInput(source, longest);
         for (const cascade::Recall& recall : cascade::recallsOf(input))
             recalls.push_back(recall);
         for (const cascade::Loss& loss : cascade::lossesOf(input))
             losses.push_back(loss);
-        squares.push_back(squareOf(sources[i]));
+        const cascade::Input square = cascade::readSquare(source, cascade::SQUARE_SIZE);
+        const cascade::SquareMap plain(square, false);
+        candidateRules.add(plain, cascade::SquareMap(square, true));
+        crossingRules.add(plain);
     }
-    std::ostringstream text, recallCsv, lossCsv, ruleCsv;
-    text << heading << "## Lines of the exact method\n\n";
-    cascade::writeRecallTables(text, recalls);
-    text << "## What is lost\n\n";
-    cascade::writeLosses(text, losses);
-    text << "## Rules of the crossing\n\n";
-    cascade::writeCrossingRules(text, ruleCsv, squares);
-    if (!options.csv.empty())
+
+    std::string text() const
     {
-        cascade::writeRecallCsv(recallCsv, recalls);
-        cascade::writeLossesCsv(lossCsv, losses);
-        write(options.csv + "/recall.csv", recallCsv.str());
-        write(options.csv + "/losses.csv", lossCsv.str());
-        write(options.csv + "/rules.csv", ruleCsv.str());
+        std::ostringstream out;
+        out << "## Lines of the exact method\n\n";
+        cascade::writeRecallTables(out, recalls);
+        out << "## What is lost\n\n";
+        cascade::writeLosses(out, losses);
+        out << "## Candidates and ascent\n\n";
+        candidateRules.write(out);
+        out << "## Rules of the crossing\n\n";
+        crossingRules.write(out);
+        return out.str();
     }
-    return text.str();
-}
+
+    void writeCsv(const std::string& folder) const
+    {
+        std::ostringstream recall, loss, candidates, crossings;
+        cascade::writeRecallCsv(recall, recalls);
+        cascade::writeLossesCsv(loss, losses);
+        candidateRules.writeCsv(candidates);
+        crossingRules.writeCsv(crossings);
+        write(folder + "/recall.csv", recall.str());
+        write(folder + "/losses.csv", loss.str());
+        write(folder + "/candidates.csv", candidates.str());
+        write(folder + "/crossings.csv", crossings.str());
+    }
+};
 
 } // namespace
 
@@ -105,20 +106,29 @@ int main(int argc, char** argv)
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     app.add_option("--output", options.output, "File to write; standard output without it");
-    app.add_option("--csv", options.csv, "Folder for recall.csv, losses.csv and rules.csv")
+    app.add_option("--csv", options.csv,
+                   "Folder for recall.csv, losses.csv, candidates.csv and crossings.csv")
         ->check(CLI::ExistingDirectory);
     CLI11_PARSE(app, argc, argv);
     try
     {
-        cascade::requireShippedRule();
-        const std::string text =
-            study(options, "# The cascade beside the exact method\n\n" + support::machine() + "; " +
-                               support::commit() + ".  \nCommand: `" +
-                               support::commandLine(argc, argv) + "`\n\n");
+        cascade::requireModulesVotes();
+        const auto sources = cascade::photographs(options.samples, options.evaluation);
+        Study study;
+        for (std::size_t i = 0; i < sources.size(); i += options.every)
+        {
+            std::cerr << sources[i].group << "/" << sources[i].name << "\n";
+            study.add(sources[i], options.longest);
+        }
+        const std::string text = "# The cascade beside the exact method\n\n" + support::machine() +
+                                 "; " + support::commit() + ".  \nCommand: `" +
+                                 support::commandLine(argc, argv) + "`\n\n" + study.text();
         if (options.output.empty())
             std::cout << text;
         else
             write(options.output, text);
+        if (!options.csv.empty())
+            study.writeCsv(options.csv);
     }
     catch (const std::exception& error)
     {

@@ -4,6 +4,8 @@
 
 #include "naive_cascade.hpp"
 
+#include "directions.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <vector>
@@ -38,10 +40,11 @@ int numberOf(cv::Size cell, cv::Point point)
     return 2 * w + h + (h - 1 - point.y / 2);
 }
 
-//! Edge pixels on the raster of a chord of a cell (section 2.3).
-int rasterVotes(const cv::Mat1b& cell, int s, int e)
+//! Pixels on the raster of a chord of a cell (section 2.3) that vote for the chord's bin.
+int rasterVotes(const cv::Mat1w& cell, int s, int e)
 {
     cv::Point from = borderPoint(cell.size(), s), to = borderPoint(cell.size(), e);
+    const int bin = directionBin(to - from);
     const bool isXMajor = std::abs(to.x - from.x) >= std::abs(to.y - from.y);
     if (!isXMajor)
     {
@@ -61,7 +64,7 @@ int rasterVotes(const cv::Mat1b& cell, int s, int e)
         const int minor =
             (from.y * (to.x - from.x) + steps * (to.y - from.y)) / (2 * (to.x - from.x));
         if (minor < minorSize)
-            votes += (isXMajor ? cell(minor, major) : cell(major, minor)) != 0;
+            votes += (isXMajor ? cell(minor, major) : cell(major, minor)) >> bin & 1;
     }
     return votes;
 }
@@ -75,21 +78,23 @@ struct Level
     const cv::Mat1i& table(int row, int column) const { return tables[row * grid.width + column]; }
 };
 
-Level firstLevel(const cv::Mat1b& edges, int cellSize)
+cv::Mat1i cellVotes(const cv::Mat1w& cell)
 {
-    Level level{cv::Size(cellSize, cellSize), edges.size() / cellSize, {}};
+    cv::Mat1i votes(borderCount(cell.size()), borderCount(cell.size()), 0);
+    for (int s = 0; s < votes.rows; ++s)
+        for (int e = s + 1; e < votes.cols; ++e)
+            if (!areOnOneSide(cell.size(), s, e))
+                votes(s, e) = votes(e, s) = rasterVotes(cell, s, e);
+    return votes;
+}
+
+Level firstLevel(const cv::Mat1w& voters, int cellSize)
+{
+    Level level{cv::Size(cellSize, cellSize), voters.size() / cellSize, {}};
     for (int row = 0; row < level.grid.height; ++row)
         for (int column = 0; column < level.grid.width; ++column)
-        {
-            const cv::Mat1b pixels =
-                edges(cv::Rect(cv::Point(column * cellSize, row * cellSize), level.cell));
-            cv::Mat1i votes(borderCount(level.cell), borderCount(level.cell), 0);
-            for (int s = 0; s < votes.rows; ++s)
-                for (int e = s + 1; e < votes.cols; ++e)
-                    if (!areOnOneSide(level.cell, s, e))
-                        votes(s, e) = votes(e, s) = rasterVotes(pixels, s, e);
-            level.tables.push_back(votes);
-        }
+            level.tables.push_back(cellVotes(
+                voters(cv::Rect(cv::Point(column * cellSize, row * cellSize), level.cell))));
     return level;
 }
 
@@ -260,15 +265,20 @@ bool areOnOneSide(cv::Size cell, int s, int e)
     return sideOf(cell, s) == sideOf(cell, e);
 }
 
-cv::Mat1i naiveCascade(const cv::Mat1b& edges, int cellSize, CrossingRule rule, MergeCost& cost)
+cv::Mat1i naiveCascade(const cv::Mat1w& voters, int cellSize, CrossingRule rule, MergeCost& cost)
 {
-    CV_Assert(edges.cols == edges.rows && edges.cols % cellSize == 0);
-    Level level = firstLevel(edges, cellSize);
+    CV_Assert(voters.cols == voters.rows && voters.cols % cellSize == 0);
+    Level level = firstLevel(voters, cellSize);
     const auto start = std::chrono::steady_clock::now();
     for (bool horizontal = true; level.tables.size() > 1; horizontal = !horizontal)
         level = merged(level, horizontal, rule, cost);
     cost.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return level.tables[0];
+}
+
+cv::Mat1i naiveExactVotes(const cv::Mat1w& voters)
+{
+    return cellVotes(voters);
 }
 
 } // namespace cascade

@@ -34,9 +34,13 @@ struct MergeCost
 };
 
 /** The table of votes LS(s, e) of the frame, B x B with B = 4 n, symmetric.
-@param edges n x n pixels; those other than 0 vote.
+@param voters n x n pixels: bit b says that the pixel votes for the chords of bin b, see
+directions.hpp.
 @param cellSize side of the cells of level 0 in pixels; n / cellSize is a power of two. */
-cv::Mat1i naiveCascade(const cv::Mat1b& edges, int cellSize, CrossingRule rule, MergeCost& cost);
+cv::Mat1i naiveCascade(const cv::Mat1w& voters, int cellSize, CrossingRule rule, MergeCost& cost);
+
+//! The same by the raster of every chord of the frame.
+cv::Mat1i naiveExactVotes(const cv::Mat1w& voters);
 
 //! Position of a border point in doubled coordinates of a cell (section 2.1).
 cv::Point borderPoint(cv::Size cell, int number);

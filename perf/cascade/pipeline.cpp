@@ -32,6 +32,11 @@ Candidate candidateAt(const cv::Mat1i& votes, int p, int q)
     return {votes(p, q), std::min(p, q), std::max(p, q)};
 }
 
+bool isSame(const Candidate& a, const Candidate& b)
+{
+    return a.s == b.s && a.e == b.e;
+}
+
 bool isMaximum(const cv::Mat1i& votes, const Candidate& candidate, int radius)
 {
     for (int i = -radius; i <= radius; ++i)
@@ -39,6 +44,75 @@ bool isMaximum(const cv::Mat1i& votes, const Candidate& candidate, int radius)
             if (isStronger(candidateAt(votes, candidate.s + i, candidate.e + j), candidate))
                 return false;
     return true;
+}
+
+bool isParallelMaximum(const cv::Mat1i& votes, const Candidate& candidate)
+{
+    return !isStronger(candidateAt(votes, candidate.s + 1, candidate.e - 1), candidate) &&
+           !isStronger(candidateAt(votes, candidate.s - 1, candidate.e + 1), candidate);
+}
+
+bool isCandidate(const cv::Mat1i& votes, const Candidate& chord,
+                 const PipelineParameters& parameters)
+{
+    switch (parameters.candidates)
+    {
+    case Candidates::RING_MAXIMA: return isMaximum(votes, chord, parameters.radius);
+    case Candidates::PARALLEL_MAXIMA: return isParallelMaximum(votes, chord);
+    default: return true;
+    }
+}
+
+//! Exact votes, and how many chords were asked for.
+class ExactVotes
+{
+public:
+    explicit ExactVotes(const cv::Mat1i& votes) : votes_(votes), asked_(votes.total()) {}
+
+    Candidate at(int p, int q)
+    {
+        const Candidate chord = candidateAt(votes_, p, q);
+        const std::size_t key = (std::size_t)chord.s * votes_.cols + chord.e;
+        counted_ += !asked_[key];
+        asked_[key] = true;
+        return chord;
+    }
+    std::size_t counted() const { return counted_; }
+
+private:
+    const cv::Mat1i& votes_;
+    std::vector<bool> asked_;
+    std::size_t counted_ = 0;
+};
+
+//! The strongest chord of the ring neighbourhood, which is the chord itself if it is a maximum.
+Candidate strongestAround(ExactVotes& exact, const Candidate& chord, int radius)
+{
+    Candidate best = chord;
+    for (int i = -radius; i <= radius; ++i)
+        for (int j = -radius; j <= radius; ++j)
+        {
+            const Candidate neighbour = exact.at(chord.s + i, chord.e + j);
+            if (isStronger(neighbour, best))
+                best = neighbour;
+        }
+    return best;
+}
+
+Candidate climbed(ExactVotes& exact, Candidate chord, const PipelineParameters& parameters)
+{
+    chord = exact.at(chord.s, chord.e);
+    if (parameters.ascent == Ascent::NONE)
+        return chord;
+    const bool isLimited = parameters.ascent == Ascent::TWO_STEPS;
+    for (int step = 0; !isLimited || step < 2; ++step)
+    {
+        const Candidate best = strongestAround(exact, chord, isLimited ? 1 : parameters.radius);
+        if (isSame(best, chord))
+            break;
+        chord = best;
+    }
+    return chord;
 }
 
 //! A chord's ends and line in OpenCV's coordinates, pixel centres at integers.
@@ -64,31 +138,34 @@ ChordLine lineOf(const Candidate& candidate, cv::Size image)
 
 } // namespace
 
-std::vector<cv::Vec3f> strongestLines(const cv::Mat1i& votes, const cv::Mat1i& exact,
-                                      cv::Size image, const PipelineParameters& parameters)
+PipelineResult strongestLines(const cv::Mat1i& votes, const cv::Mat1i& exact, cv::Size image,
+                              const PipelineParameters& parameters)
 {
     const int least = cvFloor(parameters.candidateRatio * parameters.threshold);
     std::vector<Candidate> candidates;
     for (int s = 0; s < votes.rows; ++s)
         for (int e = s + 1; e < votes.cols; ++e)
-            if (votes(s, e) > least && isMaximum(votes, {votes(s, e), s, e}, parameters.radius))
+            if (votes(s, e) > least && isCandidate(votes, {votes(s, e), s, e}, parameters))
                 candidates.push_back({votes(s, e), s, e});
     std::sort(candidates.begin(), candidates.end(), isStronger);
     candidates.resize(std::min(candidates.size(), parameters.pool));
+    ExactVotes counts(exact);
     for (Candidate& candidate : candidates)
-        candidate.votes = exact(candidate.s, candidate.e);
+        candidate = climbed(counts, candidate, parameters);
     std::sort(candidates.begin(), candidates.end(), isStronger);
+    candidates.erase(std::unique(candidates.begin(), candidates.end(), isSame), candidates.end());
 
-    std::vector<cv::Vec3f> lines;
+    PipelineResult result;
     for (const Candidate& candidate : candidates)
     {
-        if (candidate.votes <= parameters.threshold || lines.size() == parameters.maxLines)
+        if (candidate.votes <= parameters.threshold || result.lines.size() == parameters.maxLines)
             break;
         const ChordLine chord = lineOf(candidate, image);
-        if (leastError(chord.ends, lines, lines.size()) > parameters.distance)
-            lines.push_back(chord.line);
+        if (leastError(chord.ends, result.lines, result.lines.size()) > parameters.distance)
+            result.lines.push_back(chord.line);
     }
-    return lines;
+    result.counted = counts.counted();
+    return result;
 }
 
 } // namespace cascade

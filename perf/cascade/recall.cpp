@@ -18,15 +18,6 @@ namespace ls = cv::linespace;
 
 namespace {
 
-int countFound(const std::vector<cv::Vec4f>& ends, const std::vector<cv::Vec3f>& lines,
-               std::size_t count)
-{
-    int found = 0;
-    for (const cv::Vec4f& line : ends)
-        found += leastError(line, lines, count) <= SAME_LINE;
-    return found;
-}
-
 const char* refineName(int refine)
 {
     return refine == ls::REFINE_NONE ? "none" : "least squares";
