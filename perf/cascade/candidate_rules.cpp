@@ -41,8 +41,12 @@ CandidateRules::CandidateRules()
          {Candidates::RING_MAXIMA, Candidates::PARALLEL_MAXIMA, Candidates::EVERY_CHORD})
         for (const Ascent ascent : {Ascent::NONE, Ascent::TWO_STEPS, Ascent::TO_MAXIMUM})
             for (const double ratio : {0.75, 0.6})
+            {
+                if (ratio != 0.75 && ascent != Ascent::TO_MAXIMUM)
+                    continue; // without it, other things than the ratio lose the lines
                 for (const std::size_t pool : pools)
                     settings_.push_back({candidates, ratio, ascent, pool, {}});
+            }
 }
 
 void CandidateRules::add(const SquareMap& plain, const SquareMap& oriented)

@@ -4,6 +4,7 @@
 
 #include "inputs.hpp"
 
+#include "accuracy/scene.hpp"
 #include "support/edge_maps.hpp"
 
 #include "opencv2/imgproc.hpp"
@@ -63,12 +64,34 @@ cv::Mat1b read(const Source& source)
     return support::readPhotograph(path.parent_path().string(), path.filename().string());
 }
 
-Input inputOf(const Source& source, const cv::Mat1b& image)
+Input inputOf(const Source& source, const cv::Mat1b& image, support::CannyThresholds thresholds)
 {
-    Input input{source, support::cannyEdges(image), {}, {}};
+    Input input{source, support::cannyEdges(image, thresholds), {}, {}};
     cv::Sobel(image, input.dx, CV_16S, 1, 0);
     cv::Sobel(image, input.dy, CV_16S, 0, 1);
     return input;
+}
+
+Input drawnScene(const Source& source, cv::Size size)
+{
+    const int i = source.scene;
+    scenes::SceneOptions options;
+    options.size = size;
+    options.lines = 1 << i % 5;                          // 1 to 16
+    options.noise = options.contrast * (i / 5 % 4) / 10; // contrast / noise infinite, 10, 5, 3.3
+    options.keptFraction = i % 3 == 0 ? 0.5 : 1;         // of bars
+    const scenes::Scene scene =
+        i % 2 == 0 ? scenes::stepEdges(options, i) : scenes::bars(options, i);
+    Input input = inputOf(source, scene.image, {40, 80});
+    if (i / 20 % 2 == 1)
+        scenes::addClutter(input.edges, 0.05, i);
+    return input;
+}
+
+cv::Size sizeOfScene(int scene)
+{
+    const cv::Size sizes[] = {{256, 256}, {320, 240}, {251, 181}, {192, 288}};
+    return sizes[scene / 3 % std::size(sizes)];
 }
 
 } // namespace
@@ -87,19 +110,31 @@ std::vector<Source> photographs(const std::string& samples, const std::string& e
     return sources;
 }
 
+std::vector<Source> syntheticScenes(int count)
+{
+    std::vector<Source> sources;
+    for (int i = 0; i < count; ++i)
+        sources.push_back({"synthetic", "scene " + std::to_string(i), "", i});
+    return sources;
+}
+
 Input readInput(const Source& source, int longest)
 {
+    if (source.scene >= 0)
+        return drawnScene(source, sizeOfScene(source.scene));
     cv::Mat1b image = read(source);
     const double scale = (double)longest / std::max(image.cols, image.rows);
     if (scale < 1)
         image = support::scaled(image,
                                 cv::Size(cvRound(image.cols * scale), cvRound(image.rows * scale)));
-    return inputOf(source, image);
+    return inputOf(source, image, {});
 }
 
 Input readSquare(const Source& source, int side)
 {
-    return inputOf(source, support::scaled(read(source), cv::Size(side, side)));
+    const cv::Size size(side, side);
+    return source.scene >= 0 ? drawnScene(source, size)
+                             : inputOf(source, support::scaled(read(source), size), {});
 }
 
 } // namespace cascade

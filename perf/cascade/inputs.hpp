@@ -19,7 +19,8 @@ struct Source
 {
     std::string group; //!< "samples", "chessboard", "sudoku", "york" or "synthetic"
     std::string name;
-    std::string path; //!< of the photograph
+    std::string path; //!< of the photograph; empty for a scene
+    int scene = -1;   //!< number of the synthetic scene
 };
 
 struct Input
@@ -36,11 +37,16 @@ struct Input
 of its sub-folders chessboard, sudoku and york. Throws support::MissingImage if one is missing. */
 std::vector<Source> photographs(const std::string& samples, const std::string& evaluation);
 
-/** Reads the image and finds its edges (Canny 50/150).
+/** Synthetic scenes of step edges and of bars, 1 to 16 lines, without and with noise, clutter (up to
+5 % of the pixels) and gaps; of several sizes, odd ones among them. */
+std::vector<Source> syntheticScenes(int count);
+
+/** Reads or draws the image and finds its edges: Canny 50/150, for scenes, whose contrast is lower,
+40/80.
 @param longest an image with a longer side (pixels) is reduced to it; the exact method is O(n^3). */
 Input readInput(const Source& source, int longest);
 
-//! The same, scaled to a square of `side` pixels.
+//! The same as a square of `side` pixels: a photograph is scaled, a scene drawn at that size.
 Input readSquare(const Source& source, int side);
 
 } // namespace cascade
