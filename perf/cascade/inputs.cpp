@@ -66,7 +66,11 @@ cv::Mat1b read(const Source& source)
 
 Input inputOf(const Source& source, const cv::Mat1b& image, support::CannyThresholds thresholds)
 {
-    Input input{source, support::cannyEdges(image, thresholds), {}, {}};
+    Input input{source,
+                support::cannyEdges(image, thresholds),
+                {},
+                {},
+                std::min(image.cols, image.rows) / 5};
     cv::Sobel(image, input.dx, CV_16S, 1, 0);
     cv::Sobel(image, input.dy, CV_16S, 0, 1);
     return input;

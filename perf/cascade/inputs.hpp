@@ -29,8 +29,7 @@ struct Input
     cv::Mat1b edges;
     cv::Mat1s dx, dy; //!< Sobel gradients of the image the edges are of
 
-    //! Votes that a line must exceed: a fifth of the shorter side.
-    int threshold() const { return std::min(edges.cols, edges.rows) / 5; }
+    int threshold; //!< votes that a line must exceed: a fifth of the image's shorter side
 };
 
 /** Photographs among OpenCV's sample images, and, if a folder of evaluation images is given, those

@@ -127,7 +127,7 @@ void addLosses(const Input& input, bool oriented, std::vector<Loss>& losses)
                   oriented,
                   exact[i],
                   (int)i + 1,
-                  input.threshold(),
+                  input.threshold,
                   reported.empty() ? 0 : (int)reported.back()[2],
                   neighbour,
                   frame != input.edges.size(),

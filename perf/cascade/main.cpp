@@ -26,7 +26,7 @@ struct Options
     int longest = 384;
     int every = 1;
     int scenes = 200;
-    int rulesEvery = 4;
+    int detailsEvery = 8;
 };
 
 void write(const std::string& path, const std::string& text)
@@ -39,26 +39,30 @@ void write(const std::string& path, const std::string& text)
 struct Study
 {
     std::vector<cascade::Recall> recalls;
+    std::vector<cascade::FrameRecall> frameRecalls;
     std::vector<cascade::Loss> losses;
     cascade::CandidateRules candidateRules;
     cascade::CrossingRules crossingRules;
-    int squares = 0;
+    int details = 0;
 
     void addLines(const cascade::Source& source, int longest)
     {
         const cascade::Input input = cascade::readInput(source, longest);
         for (const cascade::Recall& recall : cascade::recallsOf(input))
             recalls.push_back(recall);
+        for (const cascade::FrameRecall& recall : cascade::frameRecallsOf(input))
+            frameRecalls.push_back(recall);
+    }
+    void addDetails(const cascade::Source& source, int longest)
+    {
+        const cascade::Input input = cascade::readInput(source, longest);
         for (const cascade::Loss& loss : cascade::lossesOf(input))
             losses.push_back(loss);
-    }
-    void addRules(const cascade::Source& source)
-    {
         const cascade::Input square = cascade::readSquare(source, cascade::SQUARE_SIZE);
         const cascade::SquareMap plain(square, false);
         candidateRules.add(plain, cascade::SquareMap(square, true));
         crossingRules.add(plain);
-        ++squares;
+        ++details;
     }
 
     std::string text() const
@@ -77,7 +81,17 @@ struct Study
                "1024 is one of 1600 (16 for each line); \"all\" also lets every candidate "
                "climb.\n\n";
         cascade::writeRecallTables(out, recalls);
+        out << "### Padded frames\n\n"
+               "Percent at the defaults, not refined, by whether the cascade's frame is the image "
+               "or "
+               "larger; beside it what `METHOD_EXACT` finds on the image padded to the frame, "
+               "whose "
+               "chords are not those of the image: more than that, votes for chords of the frame "
+               "cannot find.\n\n";
+        cascade::writeFrameTable(out, frameRecalls);
         out << "## What is lost\n\n"
+            << details
+            << " of the images. "
                "Lines that are not reported at the defaults, without refinement, by the first "
                "change "
                "that brings them back: longer lists (the votes at their end are nearly equal), all "
@@ -92,7 +106,7 @@ struct Study
                "public interface.\n\n";
         cascade::writeLosses(out, losses);
         out << "## Candidates and ascent\n\n"
-            << squares
+            << details
             << " of the images as squares of 256 pixels, where the frame is the image; k = 8, a "
                "naive "
                "pipeline without refinement. Percent of the exact table's 100 strongest lines, and "
@@ -161,8 +175,8 @@ int main(int argc, char** argv)
     app.add_option("--every", options.every, "Look at every so many-th image only")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
-    app.add_option("--rules-every", options.rulesEvery,
-                   "Study candidates and crossings on every so many-th image only")
+    app.add_option("--details-every", options.detailsEvery,
+                   "Look into lost lines, candidates and crossings on every so many-th image only")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     app.add_option("--output", options.output, "File to write; standard output without it");
@@ -181,8 +195,8 @@ int main(int argc, char** argv)
         {
             std::cerr << sources[i].group << "/" << sources[i].name << "\n";
             study.addLines(sources[i], options.longest);
-            if (i % options.rulesEvery == 0)
-                study.addRules(sources[i]);
+            if (i % options.detailsEvery == 0)
+                study.addDetails(sources[i], options.longest);
         }
         const std::string text = "# The cascade beside the exact method\n\n" + support::machine() +
                                  "; " + support::commit() + ".  \nCommand: `" +

@@ -138,7 +138,7 @@ std::vector<cv::Vec3f> linesOf(const Input& input, const Detection& detection)
 {
     const bool exact = detection.cellSize == 0;
     const auto detector = ls::LineSpaceDetector::create(
-        input.threshold(), detection.maxLines, exact ? ls::METHOD_EXACT : ls::METHOD_CASCADED,
+        input.threshold, detection.maxLines, exact ? ls::METHOD_EXACT : ls::METHOD_CASCADED,
         exact ? 8 : detection.cellSize);
     detector->setRefine(detection.refine);
     detector->setPoolSize(detection.poolSize);
@@ -197,6 +197,64 @@ std::vector<Recall> recallsOf(const Input& input)
                 }
         }
     return recalls;
+}
+
+std::vector<FrameRecall> frameRecallsOf(const Input& input)
+{
+    const auto cascaded = ls::LineSpaceDetector::create();
+    std::vector<cv::Vec3f> unused;
+    cascaded->detect(input.edges, unused); // the frame follows from the size
+    const cv::Size frame = cascaded->getFrameSize(), image = input.edges.size();
+    Input padded = input;
+    const auto pad = [&](const cv::Mat& from, cv::Mat& to)
+    {
+        cv::copyMakeBorder(from, to, 0, frame.height - image.height, 0, frame.width - image.width,
+                           cv::BORDER_CONSTANT, 0);
+    };
+    pad(input.edges, padded.edges);
+    pad(input.dx, padded.dx);
+    pad(input.dy, padded.dy);
+
+    std::vector<FrameRecall> recalls;
+    for (const bool oriented : {false, true})
+    {
+        Detection detection;
+        detection.oriented = oriented;
+        const auto reported = linesOf(input, detection);
+        detection.cellSize = 0;
+        std::vector<cv::Vec4f> ends;
+        ls::lineEndPoints(linesOf(input, detection), image, ends);
+        const auto onFrame = linesOf(padded, detection);
+        recalls.push_back({oriented, frame != image, (int)ends.size(),
+                           countFound(ends, reported, STRONGEST),
+                           countFound(ends, onFrame, STRONGEST)});
+    }
+    return recalls;
+}
+
+void writeFrameTable(std::ostream& out, const std::vector<FrameRecall>& recalls)
+{
+    out << std::fixed << std::setprecision(2)
+        << "| frame | votes | images | exact lines | cascade | exact method on the frame |\n"
+           "| --- | --- | ---: | ---: | ---: | ---: |\n";
+    for (const bool padded : {false, true})
+        for (const bool oriented : {false, true})
+        {
+            int images = 0, exactLines = 0, byCascade = 0, onFrame = 0;
+            for (const FrameRecall& recall : recalls)
+                if (recall.padded == padded && recall.oriented == oriented)
+                {
+                    ++images;
+                    exactLines += recall.exactLines;
+                    byCascade += recall.foundByCascade;
+                    onFrame += recall.foundOnFrame;
+                }
+            out << "| " << (padded ? "padded" : "the image") << " | "
+                << (oriented ? "oriented" : "plain") << " | " << images << " | " << exactLines
+                << " | " << percent(byCascade, exactLines) << " | " << percent(onFrame, exactLines)
+                << " |\n";
+        }
+    out << "\n";
 }
 
 void writeRecallTables(std::ostream& out, const std::vector<Recall>& recalls)

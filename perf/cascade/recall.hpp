@@ -51,6 +51,19 @@ struct Recall
     int foundLongest; //!< with LONGEST lines; -1 where that would enlarge the pool
 };
 
+/** How many of the exact method's lines the exact method itself finds on the image padded to the
+frame of the cascade (cells of 8 pixels): the chords of a larger frame are others, so this is the
+most that votes for them can give. Unrefined. */
+struct FrameRecall
+{
+    bool oriented, padded;
+    int exactLines;
+    int foundByCascade; //!< with the defaults
+    int foundOnFrame;   //!< by METHOD_EXACT on the padded image
+};
+std::vector<FrameRecall> frameRecallsOf(const Input& input);
+void writeFrameTable(std::ostream& out, const std::vector<FrameRecall>& recalls);
+
 //! All settings of one image.
 std::vector<Recall> recallsOf(const Input& input);
 

@@ -32,7 +32,8 @@ Input randomInput(double density)
     Input input{{"random", "random", ""},
                 support::randomEdges(size, density, 1),
                 cv::Mat1s(size),
-                cv::Mat1s(size)};
+                cv::Mat1s(size),
+                SQUARE_SIZE / 5};
     cv::RNG random(1);
     random.fill(input.dx, cv::RNG::UNIFORM, -1000, 1000);
     random.fill(input.dy, cv::RNG::UNIFORM, -1000, 1000);
@@ -62,7 +63,7 @@ void requireOrientedLines(const Input& input)
 } // namespace
 
 SquareMap::SquareMap(const Input& input, bool oriented)
-    : source(input.source), threshold(input.threshold()),
+    : source(input.source), threshold(input.threshold),
       voters(oriented ? votersOf(input.edges, input.dx, input.dy) : votersOf(input.edges)),
       exact(naiveExactVotes(voters))
 {
