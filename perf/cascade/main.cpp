@@ -9,6 +9,7 @@
 #include "inputs.hpp"
 #include "losses.hpp"
 #include "recall.hpp"
+#include "texts.hpp"
 
 #include "support/machine.hpp"
 
@@ -68,69 +69,16 @@ struct Study
     std::string text() const
     {
         std::ostringstream out;
-        out << "What follows from these figures is in [decisions.md](decisions.md).\n\n"
-               "## Lines of the exact method\n\n"
-               "Of the 100 strongest lines of `METHOD_EXACT`, percent that `METHOD_CASCADED` "
-               "reports "
-               "with the same parameters: one of its 100 lines is within 1.5 pixels of line error, "
-               "the largest distance from the two ends of the exact line's chord in the image. "
-               "Threshold: a fifth of the shorter side; everything else at the defaults. Oriented: "
-               "with the Sobel gradients of the image. Each figure is that of all lines of all "
-               "images together; in brackets the image with the smallest share. With 100 lines a "
-               "pool of "
-               "1024 is one of 1600 (16 for each line); \"all\" also lets every candidate "
-               "climb.\n\n";
+        out << "What follows from these figures is in [decisions.md](decisions.md).\n"
+            << cascade::LINES_TEXT;
         cascade::writeRecallTables(out, recalls);
-        out << "### Padded frames\n\n"
-               "Percent at the defaults, not refined, by whether the cascade's frame is the image "
-               "or "
-               "larger; beside it what `METHOD_EXACT` finds on the image padded to the frame, "
-               "whose "
-               "chords are not those of the image: more than that, votes for chords of the frame "
-               "cannot find.\n\n";
+        out << cascade::FRAMES_TEXT;
         cascade::writeFrameTable(out, frameRecalls);
-        out << "## What is lost\n\n"
-            << details
-            << " of the images. "
-               "Lines that are not reported at the defaults, without refinement, by the first "
-               "change "
-               "that brings them back: longer lists (the votes at their end are nearly equal), all "
-               "candidates in the pool, a candidate ratio of 0.5 (with all candidates in the "
-               "pool), "
-               "every chord above the default ratio a candidate (`setSuppressionRadius(0)`), both. "
-               "A frame is padded if it is larger than the image; its chords are not those of the "
-               "exact method. The votes in the cascade are of the chord of its frame nearest to "
-               "the "
-               "line, and the most of the 3 x 3 chords around it; those of oriented maps are not "
-               "part of the "
-               "public interface.\n\n";
+        out << cascade::LOSSES_TEXT << details << " images.\n\n";
         cascade::writeLosses(out, losses);
-        out << "## Candidates and ascent\n\n"
-            << details
-            << " of the images as squares of 256 pixels, where the frame is the image; k = 8, a "
-               "naive "
-               "pipeline without refinement. Percent of the exact table's 100 strongest lines, and "
-               "in brackets the number of chords counted exactly, in thousands, mean of the "
-               "images. A "
-               "parallel maximum is stronger than (s + 1, e - 1) and (s - 1, e + 1), its parallel "
-               "neighbours. All candidates in the pool climb; the module's climb in the strongest "
-               "quarter only. "
-               "\"To a ring maximum\": to the strongest of the 5 x 5 chords around, until the "
-               "chord "
-               "is the strongest of its own.\n\n";
+        out << cascade::CANDIDATES_TEXT << details << " images.\n\n";
         candidateRules.write(out);
-        out << "## Rules of the crossing\n\n"
-               "The same images, not oriented. Ratio of the cascade's votes to the exact ones over "
-               "the "
-               "chords with at least n/4 = 64 exact votes; percent of the exact table's lines by "
-               "ring "
-               "maxima without ascent, and by parallel maxima that climb to a ring maximum, both "
-               "with "
-               "a pool of 4096; cost of the merges, all levels together. Ties without bias: to the "
-               "larger point if the number of the chord's end on the first child plus that of the "
-               "crossing is even. Both neighbours: the border points on both sides of the "
-               "crossing, of two sums the larger "
-               "one.\n\n";
+        out << cascade::CROSSINGS_TEXT;
         crossingRules.write(out);
         return out.str();
     }
