@@ -10,34 +10,16 @@
 #include "chord_counter.hpp"
 #include "peaks.hpp"
 
-#include <unordered_map>
-
 namespace cv {
 namespace linespace {
 
-/** Moves candidates to maxima of the exact votes: to the strongest, in the total order, of the
-(2 radius + 1)^2 ring neighbourhood, and so on until there is none that is stronger. Votes are
-counted once for each chord that is looked at, however many pass by. */
-class Ascent
-{
-public:
-    Ascent(const ChordCounter& counter, const Cell& frame, int radius);
-
-    //! The candidates' votes are exact, before and after.
-    void climb(std::vector<Candidate>& candidates);
-
-private:
-    template<class Visit>
-    void forEachNeighbour(Chord chord, Visit visit) const;
-    //! Counts the chords that were asked for.
-    void countAsked();
-
-    const ChordCounter& counter_;
-    Cell frame_;
-    int radius_;
-    std::unordered_map<size_t, int> votes_; //!< by the chords' indices
-    std::vector<Chord> asked_;
-};
+/** Moves candidates to maxima of the exact votes: to the first stronger chord, in the total order,
+of the (2 radius + 1)^2 ring neighbourhood, the nearest looked at first, and so on until there is
+none.
+@param candidates with exact votes; on return, in the total order, the maxima that they came to, each
+once. */
+void climbToMaxima(const ChordCounter& counter, const Cell& frame, int radius,
+                   std::vector<Candidate>& candidates);
 
 } // namespace linespace
 } // namespace cv

@@ -6,6 +6,7 @@
 // stages in order. No mathematics of its own.
 
 #include "acontrario.hpp"
+#include "ascent.hpp"
 #include "backends.hpp"
 #include "edge_profile.hpp"
 #include "line_geometry.hpp"
@@ -588,22 +589,22 @@ private:
             parallel ? findParallelMaxima(result_, frame, minVotes)
                      : findCandidates(result_, frame, minVotes, parameters_.suppression,
                                       parameters_.suppressionRadius);
-        removeIf(candidates,
-                 [&](const Candidate& candidate)
-                 {
-                     Line line = lineOf(frame, candidate.chord());
-                     return !requirement.canBeMet(plan, candidate, ratio) ||
-                            !angles.represent(line);
-                 });
+        removeIf(candidates, [&](const Candidate& candidate)
+                 { return !requirement.canBeMet(plan, candidate, ratio); });
+        keepAngles(frame, angles, candidates);
         if (!exact && parameters_.maxLines > 0)
             keepStrongest(candidates, std::max<size_t>(parameters_.poolSize,
                                                        16 * (size_t)parameters_.maxLines));
-        std::vector<Waiting> waiting = recounted(edges, plan, requirement, candidates);
+        if (!exact)
+        {
+            recount(edges, plan, candidates);
+            keepAngles(frame, angles, candidates);
+        }
+        removeIf(candidates, [&](const Candidate& candidate)
+                 { return !requirement.isMet(edges, plan, candidate); });
         SelectionRule rule;
         rule.requirement = requirement;
-        rule.angles = angles;
         rule.explain = parameters_.selection == SELECT_EXPLAIN;
-        rule.ascentRadius = ascentRadius();
         rule.distance = parameters_.suppressionDistance;
         rule.most = parameters_.maxLines > 0 ? (size_t)parameters_.maxLines
                                              : std::numeric_limits<size_t>::max();
@@ -611,7 +612,7 @@ private:
         {
             return refined(edges, frame, chord, angles);
         };
-        const std::vector<Selected> chosen = selectLines(edges, plan, rule, waiting);
+        const std::vector<Selected> chosen = selectLines(edges, plan, rule, candidates);
         for (size_t i = 0; i < chosen.size(); ++i)
         {
             FittedLine fitted = chosen[i].fitted;
@@ -636,35 +637,32 @@ private:
                    : std::min<int>(parameters_.suppressionRadius, MAX_ASCENT_RADIUS);
     }
 
-    /** The candidates with their exact votes. Those that do not climb must meet the requirement by
-    these. */
-    std::vector<Waiting> recounted(const EdgeMap& edges, const Plan& plan,
-                                   const Requirement& requirement,
-                                   const std::vector<Candidate>& candidates) const
+    static void keepAngles(const Cell& frame, const AngleInterval& angles,
+                           std::vector<Candidate>& candidates)
     {
-        const bool exact = parameters_.method == METHOD_EXACT;
+        if (angles.isFull())
+            return;
+        removeIf(candidates,
+                 [&](const Candidate& candidate)
+                 {
+                     Line line = lineOf(frame, candidate.chord());
+                     return !angles.represent(line);
+                 });
+    }
+
+    //! Counts candidates of the cascade exactly, and lets them climb (section 4.2).
+    void recount(const EdgeMap& edges, const Plan& plan, std::vector<Candidate>& candidates) const
+    {
+        std::vector<Chord> chords(candidates.size());
+        for (size_t i = 0; i < chords.size(); ++i)
+            chords[i] = candidates[i].chord();
         std::vector<int> votes;
-        if (!exact)
-        {
-            std::vector<Chord> chords(candidates.size());
-            for (size_t i = 0; i < chords.size(); ++i)
-                chords[i] = candidates[i].chord();
-            executor_->rescore(edges, plan, chords, votes);
-        }
-        const bool climbs = ascentRadius() > 0;
-        std::vector<Waiting> result;
-        result.reserve(candidates.size());
+        executor_->rescore(edges, plan, chords, votes);
         for (size_t i = 0; i < candidates.size(); ++i)
-        {
-            Candidate candidate = candidates[i];
-            if (!exact)
-                candidate.votes = votes[i];
-            const int promise = climbs ? std::max(0, candidates[i].votes - candidate.votes) : 0;
-            const Waiting waiting = {candidate, candidate.votes, promise, false};
-            if (climbs || requirement.isMet(edges, plan, candidate))
-                result.push_back(waiting);
-        }
-        return result;
+            candidates[i].votes = votes[i];
+        if (ascentRadius() > 0)
+            climbToMaxima(ChordCounter(edges, plan.frame()), plan.frame(), ascentRadius(),
+                          candidates);
     }
 
     //! The line to report for a chord: one that leaves the interval of angles stays as it was.

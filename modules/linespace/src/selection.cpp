@@ -4,37 +4,44 @@
 
 #include "selection.hpp"
 
-#include "ascent.hpp"
+#include "chord_counter.hpp"
 #include "refine.hpp"
 
 #include <cmath>
-#include <limits>
-#include <unordered_set>
 
 namespace cv {
 namespace linespace {
 
 namespace {
 
-const size_t BATCH = 32; // candidates that climb at a time, in parallel
+//! A candidate, and how many of its votes no line taken explains.
+struct Waiting
+{
+    Candidate candidate;
+    int left;
+};
 
 bool waitsBehind(const Waiting& a, const Waiting& b)
 {
-    const Candidate first = {a.key(), a.candidate.s, a.candidate.e},
-                    second = {b.key(), b.candidate.s, b.candidate.e};
+    const Candidate first = {a.left, a.candidate.s, a.candidate.e},
+                    second = {b.left, b.candidate.s, b.candidate.e};
     return isStronger(second, first);
 }
 
-//! Gives the largest key first without sorting those that are never asked for.
+//! Gives the strongest first without sorting those that are never asked for.
 class Queue
 {
 public:
-    explicit Queue(std::vector<Waiting>& candidates) : heap_(candidates)
+    explicit Queue(const std::vector<Candidate>& candidates) : heap_(candidates.size())
     {
+        for (size_t i = 0; i < heap_.size(); ++i)
+        {
+            heap_[i].candidate = candidates[i];
+            heap_[i].left = candidates[i].votes;
+        }
         std::make_heap(heap_.begin(), heap_.end(), waitsBehind);
     }
     bool empty() const { return heap_.empty(); }
-    const Waiting& first() const { return heap_.front(); }
     Waiting pop()
     {
         std::pop_heap(heap_.begin(), heap_.end(), waitsBehind);
@@ -42,37 +49,40 @@ public:
         heap_.pop_back();
         return first;
     }
-    void push(const Waiting& candidate)
+    void push(const Waiting& waiting)
     {
-        heap_.push_back(candidate);
+        heap_.push_back(waiting);
         std::push_heap(heap_.begin(), heap_.end(), waitsBehind);
     }
 
 private:
-    std::vector<Waiting>& heap_;
+    std::vector<Waiting> heap_;
 };
 
 class LineSelection
 {
 public:
-    LineSelection(const EdgeMap& edges, const Plan& plan, const SelectionRule& rule,
-                  std::vector<Waiting>& candidates)
-        : edges_(edges), plan_(plan), frame_(plan.frame()), rule_(rule), queue_(candidates),
-          all_(edges, frame_), ascent_(all_, frame_, rule.ascentRadius),
-          taken_(plan.imageSize(), rule.distance)
+    LineSelection(const EdgeMap& edges, const Plan& plan, const SelectionRule& rule)
+        : plan_(plan), frame_(plan.frame()), rule_(rule), taken_(plan.imageSize(), rule.distance)
     {
         if (rule.explain)
             left_ = makePtr<ChordCounter>(edges, frame_);
     }
 
-    std::vector<Selected> run()
+    std::vector<Selected> run(Queue& queue)
     {
-        while (!queue_.empty() && chosen_.size() < rule_.most)
+        while (!queue.empty() && chosen_.size() < rule_.most)
         {
-            if (!queue_.first().hasClimbed && rule_.ascentRadius > 0)
-                climbNext();
-            else
-                considerNext();
+            Waiting next = queue.pop();
+            // Votes only fall, so one that still has what it waited with is the strongest of all.
+            if (hasFallen(next))
+            {
+                const Candidate now = {next.left, next.candidate.s, next.candidate.e};
+                if (rule_.requirement.isMet(left_->edges(), plan_, now))
+                    queue.push(next);
+            }
+            else if (take(next.candidate) && rule_.explain)
+                explainBy(chosen_.back());
         }
         std::sort(chosen_.begin(), chosen_.end(),
                   [](const Selected& a, const Selected& b)
@@ -81,62 +91,14 @@ public:
     }
 
 private:
-    void climbNext()
-    {
-        const bool all = rule_.most == std::numeric_limits<size_t>::max();
-        std::vector<Candidate> batch;
-        while (!queue_.empty() && !queue_.first().hasClimbed && (all || batch.size() < BATCH))
-        {
-            const Waiting next = queue_.pop();
-            if (isNearTaken(lineOf(frame_, next.candidate.chord())) || hasFallen(next))
-                continue;
-            batch.push_back(next.candidate);
-        }
-        ascent_.climb(batch);
-        for (size_t i = 0; i < batch.size(); ++i)
-        {
-            Line line = lineOf(frame_, batch[i].chord());
-            if (summits_.insert(frame_.chordIndex(batch[i].s, batch[i].e)).second &&
-                rule_.requirement.isMet(edges_, plan_, batch[i]) && rule_.angles.represent(line))
-            {
-                const Waiting waiting = {batch[i], batch[i].votes, 0, true};
-                queue_.push(waiting);
-            }
-        }
-    }
-
-    /** Whether pixels of a candidate were explained since it was queued. It then waits again with the
-    votes that are left, if these can do. */
-    bool hasFallen(Waiting waiting)
+    //! Recounts what is left of a candidate's votes; whether these are fewer than it waited with.
+    bool hasFallen(Waiting& waiting) const
     {
         if (!rule_.explain)
             return false;
-        const int left = left_->votes(waiting.candidate.chord());
-        if (left == waiting.left)
-            return false;
-        // Votes only fall, so one that still has what it waited with is the strongest of all.
-        waiting.left = left;
-        const Candidate now = {waiting.key(), waiting.candidate.s, waiting.candidate.e};
-        if (waiting.hasClimbed ? rule_.requirement.isMet(left_->edges(), plan_, now)
-                               : rule_.requirement.canBeMet(plan_, now, 1))
-            queue_.push(waiting);
-        return true;
-    }
-
-    void considerNext()
-    {
-        const Waiting next = queue_.pop();
-        const Candidate& candidate = next.candidate;
-        if (hasFallen(next))
-            return;
-        if (take(candidate) && rule_.explain)
-        {
-            const std::vector<Point> explained =
-                explainedPixels(left_->edges(), directionBit(frame_, candidate.chord()),
-                                chosen_.back().fitted.line);
-            for (size_t i = 0; i < explained.size(); ++i)
-                left_->remove(explained[i]);
-        }
+        const int before = waiting.left;
+        waiting.left = left_->votes(waiting.candidate.chord());
+        return waiting.left < before;
     }
 
     //! Takes the candidate's line, refined, unless it is near one taken before or misses the image.
@@ -152,6 +114,14 @@ private:
         return true;
     }
 
+    void explainBy(const Selected& selected)
+    {
+        const std::vector<Point> explained = explainedPixels(
+            left_->edges(), directionBit(frame_, selected.candidate.chord()), selected.fitted.line);
+        for (size_t i = 0; i < explained.size(); ++i)
+            left_->remove(explained[i]);
+    }
+
     bool isNearTaken(const Line& line) const
     {
         Ends ends;
@@ -160,15 +130,10 @@ private:
                taken_.hasNear(line, ends);
     }
 
-    const EdgeMap& edges_;
     const Plan& plan_;
     const Cell frame_;
     const SelectionRule& rule_;
-    Queue queue_;
-    const ChordCounter all_;
-    Ascent ascent_;
-    Ptr<ChordCounter> left_;             // without what the lines taken explain
-    std::unordered_set<size_t> summits_; // indices of the chords that candidates climbed to
+    Ptr<ChordCounter> left_; // without what the lines taken explain
     LineIndex taken_;
     std::vector<Selected> chosen_;
 };
@@ -176,9 +141,10 @@ private:
 } // namespace
 
 std::vector<Selected> selectLines(const EdgeMap& edges, const Plan& plan, const SelectionRule& rule,
-                                  std::vector<Waiting>& candidates)
+                                  const std::vector<Candidate>& candidates)
 {
-    return LineSelection(edges, plan, rule, candidates).run();
+    Queue queue(candidates);
+    return LineSelection(edges, plan, rule).run(queue);
 }
 
 } // namespace linespace

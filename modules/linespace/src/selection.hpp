@@ -63,42 +63,23 @@ struct Selected
 struct SelectionRule
 {
     Requirement requirement;
-    AngleInterval angles;
-    bool explain;     //!< SELECT_EXPLAIN
-    int ascentRadius; //!< of the neighbourhood in which candidates climb (ascent.hpp); 0: they do not
+    bool explain;    //!< SELECT_EXPLAIN
     double distance; //!< within which a line is a duplicate, pixels
     size_t most;     //!< lines to take
     //! The line to report for a chord.
     std::function<FittedLine(Chord)> refine;
 };
 
-//! A candidate that waits for its turn.
-struct Waiting
-{
-    Candidate candidate; //!< with exact votes
-    int left;            //!< of these votes, those that no line taken explains
-    int promise; //!< votes by which the table it was found in had more, for it or chords nearby; else 0
-    bool hasClimbed;
-
-    int key() const { return left + promise; }
-};
-
-/** Takes lines, the strongest first.
-
-The candidate with the largest key is next (ties in the total order). If it has not climbed yet
-(ascent.hpp), it does so, with up to 31 that follow it and have not either, and waits again with the
-exact votes of the chord it came to; without rule.most, all climb at once. Otherwise its line is
-taken, unless its two ends inside the image, before or after the refinement, are both within
-rule.distance of a line taken before. A candidate that is near such a line does not climb; one that
-does not meet the requirement afterwards, leaves the angles or comes to the chord of another one is
-dropped.
+/** Takes the candidates in the total order and drops those whose two ends inside the image, before
+or after the refinement, are both within rule.distance of a line taken before; at most rule.most
+lines.
 
 With rule.explain, the edge pixels along a line taken do not vote for the lines after it: the next
 line is the one with the most of the pixels that are left, and it must still meet the requirement.
-@param candidates used up.
+@param candidates with exact votes.
 @return in the total order of their votes among all edge pixels. */
 std::vector<Selected> selectLines(const EdgeMap& edges, const Plan& plan, const SelectionRule& rule,
-                                  std::vector<Waiting>& candidates);
+                                  const std::vector<Candidate>& candidates);
 
 } // namespace linespace
 } // namespace cv

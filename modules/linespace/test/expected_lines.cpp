@@ -65,7 +65,10 @@ std::vector<Candidate> Selection::select(int threshold, double ratio, int thinni
                                          size_t pool) const
 {
     std::vector<Candidate> all = brute::chordsAbove(table, frame, ratio * threshold);
-    if (thinning == THIN_RING)
+    const int ascent = climbs ? std::min(radius, 2) : 0;
+    if (thinning == THIN_RING && ascent == radius && climbs)
+        all = parallelMaxima(all);
+    else if (thinning == THIN_RING)
         all = brute::ringMaxima(table, all, radius);
     else if (thinning == THIN_BLOCKS)
         all = brute::blockMaxima(all, radius);
@@ -74,13 +77,11 @@ std::vector<Candidate> Selection::select(int threshold, double ratio, int thinni
     std::sort(all.begin(), all.end(), brute::isStronger);
     if (pool > 0 && all.size() > pool)
         all.resize(pool);
-    const size_t climbers = pool > 0 ? (pool + 3) / 4 : all.size();
     std::map<std::pair<int, int>, Candidate> reached;
     for (size_t i = 0; i < all.size(); ++i)
     {
-        Candidate candidate = {all[i].s, all[i].e, exact(all[i].s, all[i].e)};
-        if (i < climbers)
-            candidate = climb(candidate, radius);
+        const Candidate start = {all[i].s, all[i].e, exact(all[i].s, all[i].e)};
+        const Candidate candidate = climb(start, ascent);
         if (candidate.votes > threshold)
             reached[std::make_pair(candidate.s, candidate.e)] = candidate;
     }
@@ -91,23 +92,42 @@ std::vector<Candidate> Selection::select(int threshold, double ratio, int thinni
     return kept;
 }
 
-brute::Candidate Selection::climb(Candidate candidate, int steps) const
+std::vector<Candidate> Selection::parallelMaxima(const std::vector<Candidate>& all) const
+{
+    const int points = table.rows;
+    std::vector<Candidate> kept;
+    for (size_t i = 0; i < all.size(); ++i)
+    {
+        bool isMaximum = true;
+        for (int side = -1; side <= 1; side += 2)
+        {
+            const int p = (all[i].s + side + points) % points,
+                      q = (all[i].e - side + points) % points;
+            const Candidate parallel = {std::min(p, q), std::max(p, q), table(p, q)};
+            if (brute::isChord(frame, p, q) && brute::isStronger(parallel, all[i]))
+                isMaximum = false;
+        }
+        if (isMaximum)
+            kept.push_back(all[i]);
+    }
+    return kept;
+}
+
+Candidate Selection::climb(const Candidate& start, int radius) const
 {
     const int points = exact.rows;
-    for (int step = 0; step < steps && climbs; ++step)
-    {
-        Candidate best = candidate;
-        for (int i = points - 1; i <= points + 1; ++i)
-            for (int j = points - 1; j <= points + 1; ++j)
+    for (int distance = 1; distance <= 2 * radius * radius; ++distance)
+        for (int i = -radius; i <= radius; ++i)
+            for (int j = -radius; j <= radius; ++j)
             {
-                const int p = (candidate.s + i) % points, q = (candidate.e + j) % points;
+                if (i * i + j * j != distance)
+                    continue;
+                const int p = (start.s + i + points) % points, q = (start.e + j + points) % points;
                 const Candidate neighbour = {std::min(p, q), std::max(p, q), exact(p, q)};
-                if (brute::isChord(frame, p, q) && brute::isStronger(neighbour, best))
-                    best = neighbour;
+                if (brute::isChord(frame, p, q) && brute::isStronger(neighbour, start))
+                    return climb(neighbour, radius);
             }
-        candidate = best;
-    }
-    return candidate;
+    return start;
 }
 
 } // namespace opencv_test

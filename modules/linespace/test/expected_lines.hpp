@@ -42,15 +42,17 @@ public:
     Selection(const cv::Mat& edges, int method, int cellSize, bool weighted = false,
               const cv::Mat& directions = cv::Mat());
 
-    //! pool 0: every candidate is counted exactly and climbs, else a quarter of the pool.
+    //! pool 0: all candidates.
     std::vector<brute::Candidate> select(int threshold, double ratio, int thinning, int radius,
                                          size_t pool = 0) const;
 
     cv::Size frame;
 
 private:
-    //! To the strongest of the neighbours on the ring, while it is stronger.
-    brute::Candidate climb(brute::Candidate candidate, int steps) const;
+    //! Those stronger than (s + 1, e - 1) and (s - 1, e + 1).
+    std::vector<brute::Candidate> parallelMaxima(const std::vector<brute::Candidate>& all) const;
+    //! To the first stronger one of the ring neighbourhood, nearest first, while there is one.
+    brute::Candidate climb(const brute::Candidate& start, int radius) const;
 
     bool climbs; //!< with the cascade, whose maxima need not be those of the exact votes
     cv::Mat1i exact, table;
