@@ -20,7 +20,7 @@ enum Cause
 {
     RANK_LONGER,  //!< it is among 5 % more lines: nearly equal votes at the end of the list
     RANK_LONGEST, //!< it is among LONGEST lines
-    POOL,         //!< with all candidates in the pool, all of which climb
+    POOL,         //!< with all candidates in the pool, none left out
     RATIO,        //!< with a candidate ratio of 0.5
     NO_MAXIMUM,   //!< with every chord a candidate (radius 0), above the default ratio
     BOTH,         //!< with every chord above half of the threshold a candidate

@@ -17,7 +17,7 @@ parameters: one of its 100 lines is within 1.5 pixels of line error, the largest
 ends of the exact line's chord in the image. Threshold: a fifth of the shorter side; everything else at
 the defaults. Oriented: with the Sobel gradients of the image. Each figure is that of all lines of all
 images together; in brackets the image with the smallest share. With 100 lines a pool of 1024 is one of
-1600 (16 for each line); "all" also lets every candidate climb.
+1600 (16 for each line).
 
 )";
 
@@ -43,7 +43,7 @@ constexpr const char* CANDIDATES_TEXT = R"(## Candidates and ascent
 Squares of 256 pixels, where the frame is the image; k = 8, a naive pipeline without refinement. Percent
 of the exact table's 100 strongest lines, and in brackets the number of chords counted exactly, in
 thousands, mean of the images. A parallel maximum is stronger than (s + 1, e - 1) and (s - 1, e + 1), its
-parallel neighbours. All candidates in the pool climb; the module's climb in the strongest quarter only.
+parallel neighbours. The module takes parallel maxima, and goes to the first stronger chord where this goes to the strongest.
 "To a ring maximum": to the strongest of the 5 x 5 chords around, until the chord is the strongest of its
 own. )";
 

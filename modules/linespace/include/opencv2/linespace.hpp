@@ -187,8 +187,8 @@ public:
 
     /** Radius of the suppression in border points, 0 to 64; 0 keeps every chord above the threshold.
     For #SUPPRESS_BLOCKS the block is the smallest power of two of at least 2 r + 1 border points.
-    With #METHOD_CASCADED a candidate then moves by up to r steps to the chord nearby with the most
-    exact votes (section 4.2). Default 2. */
+    With #METHOD_CASCADED candidates move to maxima of the exact votes in a neighbourhood of this
+    radius, 2 at most (section 4.2). Default 2. */
     CV_WRAP virtual void setSuppressionRadius(int radius) = 0;
     CV_WRAP virtual int getSuppressionRadius() const = 0;
 
