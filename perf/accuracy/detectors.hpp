@@ -37,11 +37,15 @@ struct Request
     int minVotes;
 };
 
-struct Detector
+//! What one detector finds, strongest first.
+struct Result
 {
-    std::string name;
-    std::function<std::vector<DetectedLine>(const EdgeInput&, const Request&)> detect;
+    std::string detector; //!< its name in the tables
+    std::vector<DetectedLine> lines;
 };
+
+//! One run can give several results: with and without suppression.
+using Detector = std::function<std::vector<Result>(const EdgeInput&, const Request&)>;
 
 /** Vote threshold as a share of the image's shorter side: low enough that the strongest lines are
 what is compared, the same for all detectors and images. */
@@ -52,12 +56,21 @@ int minVotesWithoutRule(cv::Size size);
 
 //! cv::linespace: plain, plain with SELECT_EXPLAIN, oriented with SELECT_EXPLAIN.
 std::vector<Detector> ourDetectors();
+//! The two with SELECT_EXPLAIN.
+std::vector<Detector> ourDetectorsByOwnRule();
 //! The oriented one without refinement, and by METHOD_EXACT (slow).
 Detector unrefinedDetector();
 Detector exactDetector();
 
-//! cv::HoughLines in three resolutions with and without suppression, FastHoughTransform, LSD, FLD.
+//! cv::HoughLines in three resolutions with and without suppression (the same thing where one line is
+//! asked for), cv::ximgproc::FastHoughTransform, LSD, cv::ximgproc::FastLineDetector.
 std::vector<Detector> peerDetectors();
+//! Those whose own rule is compared: cv::HoughLines at 1 pixel and 1 degree, suppressed, and LSD.
+std::vector<Detector> peerDetectorsByOwnRule();
+
+//! Ours and the peers.
+std::vector<Detector> allDetectors();
+std::vector<Detector> detectorsByOwnRule();
 
 } // namespace accuracy
 

@@ -40,10 +40,10 @@ std::vector<DetectedLine> detect(const Configuration& configuration, const EdgeI
 
 Detector detector(const std::string& name, const Configuration& configuration)
 {
-    return {name, [configuration](const EdgeInput& input, const Request& request)
-            {
-                return detect(configuration, input, request);
-            }};
+    return [=](const EdgeInput& input, const Request& request)
+    {
+        return std::vector<Result>{{name, detect(configuration, input, request)}};
+    };
 }
 
 } // namespace
@@ -60,9 +60,16 @@ int minVotesWithoutRule(cv::Size size)
 
 std::vector<Detector> ourDetectors()
 {
-    return {detector("Line Space plain",
-                     {false, ls::SELECT_PEAKS, ls::METHOD_CASCADED, ls::REFINE_LEAST_SQUARES}),
-            detector("Line Space explain",
+    std::vector<Detector> detectors = ourDetectorsByOwnRule();
+    detectors.insert(detectors.begin(),
+                     detector("Line Space plain", {false, ls::SELECT_PEAKS, ls::METHOD_CASCADED,
+                                                   ls::REFINE_LEAST_SQUARES}));
+    return detectors;
+}
+
+std::vector<Detector> ourDetectorsByOwnRule()
+{
+    return {detector("Line Space explain",
                      {false, ls::SELECT_EXPLAIN, ls::METHOD_CASCADED, ls::REFINE_LEAST_SQUARES}),
             detector("Line Space oriented",
                      {true, ls::SELECT_EXPLAIN, ls::METHOD_CASCADED, ls::REFINE_LEAST_SQUARES})};

@@ -52,20 +52,22 @@ Lines houghLines(const EdgeInput& input, double rho, double theta, const Request
     return lines;
 }
 
-void addHoughLines(std::vector<Detector>& detectors, const std::string& resolution, double rho,
-                   double theta)
+/** @param suppressedOnly leaves the result without suppression out. */
+Detector houghDetector(const std::string& resolution, double rho, double theta,
+                       bool suppressedOnly = false)
 {
     const std::string name = "HoughLines " + resolution;
-    detectors.push_back({name, [=](const EdgeInput& input, const Request& request)
-                         {
-                             return strongest(houghLines(input, rho, theta, request),
-                                              request.maxLines);
-                         }});
-    detectors.push_back({name + " suppressed", [=](const EdgeInput& input, const Request& request)
-                         {
-                             return withoutNearDuplicates(houghLines(input, rho, theta, request),
-                                                          input.edges.size(), request.maxLines);
-                         }});
+    return [=](const EdgeInput& input, const Request& request)
+    {
+        const Lines lines = houghLines(input, rho, theta, request);
+        std::vector<Result> results;
+        if (!suppressedOnly)
+            results.push_back({name, strongest(lines, request.maxLines)});
+        if (request.maxLines != 1)
+            results.push_back({name + " suppressed",
+                               withoutNearDuplicates(lines, input.edges.size(), request.maxLines)});
+        return results;
+    };
 }
 
 /** cv::ximgproc::FastHoughTransform over all directions: the maxima of 5 x 5 cells, strongest
@@ -112,27 +114,54 @@ Lines lsd(const EdgeInput& input, const Request& request)
     return linesOf(segments, input.grey.size(), request);
 }
 
-//! Its own edge detector switched off (aperture 0): it takes the edge map.
+//! Its own edge detector switched off (aperture 0): it takes the edge map, and erases what it uses.
 Lines fastLineDetector(const EdgeInput& input, const Request& request)
 {
     std::vector<cv::Vec4f> segments;
     cv::ximgproc::createFastLineDetector(10, 1.414213562f, 50, 50, 0)
-        ->detect(input.edges, segments);
+        ->detect(input.edges.clone(), segments);
     return linesOf(segments, input.edges.size(), request);
+}
+
+std::vector<Detector> joined(std::vector<Detector> first, const std::vector<Detector>& second)
+{
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
+Detector detector(const std::string& name, Lines (*detect)(const EdgeInput&, const Request&))
+{
+    return [=](const EdgeInput& input, const Request& request)
+    {
+        return std::vector<Result>{{name, detect(input, request)}};
+    };
 }
 
 } // namespace
 
 std::vector<Detector> peerDetectors()
 {
-    std::vector<Detector> detectors;
-    addHoughLines(detectors, "1 px 1 deg", 1, CV_PI / 180);
-    addHoughLines(detectors, "0.5 px 0.25 deg", 0.5, CV_PI / 720);
-    addHoughLines(detectors, "1 px 1/(2n)", 1, 0);
-    detectors.push_back({"FastHoughTransform", fastHough});
-    detectors.push_back({"LSD", lsd});
-    detectors.push_back({"FastLineDetector", fastLineDetector});
-    return detectors;
+    return {houghDetector("1 px 1 deg", 1, CV_PI / 180),
+            houghDetector("0.5 px 0.25 deg", 0.5, CV_PI / 720),
+            houghDetector("1 px 1/(2n)", 1, 0),
+            detector("FastHoughTransform", fastHough),
+            detector("LSD", lsd),
+            detector("FastLineDetector", fastLineDetector)};
+}
+
+std::vector<Detector> peerDetectorsByOwnRule()
+{
+    return {houghDetector("1 px 1 deg", 1, CV_PI / 180, true), detector("LSD", lsd)};
+}
+
+std::vector<Detector> allDetectors()
+{
+    return joined(ourDetectors(), peerDetectors());
+}
+
+std::vector<Detector> detectorsByOwnRule()
+{
+    return joined(ourDetectorsByOwnRule(), peerDetectorsByOwnRule());
 }
 
 } // namespace accuracy

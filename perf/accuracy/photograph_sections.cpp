@@ -66,14 +66,6 @@ void writeFolder(const Settings& settings, const std::string& folder,
     files.close();
 }
 
-std::vector<Detector> allDetectors()
-{
-    std::vector<Detector> detectors = ourDetectors();
-    for (const Detector& detector : peerDetectors())
-        detectors.push_back(detector);
-    return detectors;
-}
-
 } // namespace
 
 void writeChessboards(const Settings& settings)
@@ -105,7 +97,7 @@ void writeScales(const Settings& settings)
             const auto run = [&](const char* scale, const cv::Mat& scaled)
             {
                 files.run({std::string(folder) + "|" + scale, name},
-                          edgeInput(scaled, {false, 50, 150}), allDetectors(), {0, 0});
+                          edgeInput(scaled, {false, 50, 150}), detectorsByOwnRule(), {0, 0});
             };
             cv::Mat half, twice;
             cv::resize(image, half, cv::Size(image.cols / 2, image.rows / 2), 0, 0, cv::INTER_AREA);

@@ -35,14 +35,15 @@ void SectionFiles::run(const ImageName& name, const EdgeInput& input,
 {
     const std::string key = name.group + "," + name.image + ",";
     for (const Detector& detector : detectors)
-    {
-        const std::vector<DetectedLine> found = detector.detect(input, request);
-        runs << key << input.edges.cols << "," << input.edges.rows << "," << detector.name << ","
-             << found.size() << "\n";
-        for (std::size_t i = 0; i < found.size(); ++i)
-            lines << key << detector.name << "," << i + 1 << "," << found[i].rho << ","
-                  << found[i].theta << "," << found[i].votes << "\n";
-    }
+        for (const Result& result : detector(input, request))
+        {
+            runs << key << input.edges.cols << "," << input.edges.rows << "," << result.detector
+                 << "," << result.lines.size() << "\n";
+            int rank = 0;
+            for (const DetectedLine& line : result.lines)
+                lines << key << result.detector << "," << ++rank << "," << line.rho << ","
+                      << line.theta << "," << line.votes << "\n";
+        }
 }
 
 void SectionFiles::truth(const ImageName& name, const std::vector<scenes::Line>& list)

@@ -25,14 +25,6 @@ using scenes::SceneOptions;
 //! Of all synthetic images: Gaussian 5 x 5 of sigma 1.2, Canny 30/80.
 const EdgeSettings edgeSettings{true, 30, 80};
 
-std::vector<Detector> allDetectors()
-{
-    std::vector<Detector> detectors = ourDetectors();
-    for (const Detector& detector : peerDetectors())
-        detectors.push_back(detector);
-    return detectors;
-}
-
 std::string numbered(const std::string& name, int number)
 {
     return name + " " + std::to_string(number);
@@ -169,7 +161,7 @@ void writeSteps(const Settings& settings)
                 files.run({"strongest|" + group, image}, input, allDetectors(),
                           {8, lowThreshold(input.edges.size())});
                 files.truth({"own rule|" + group, image}, scene.truth);
-                files.run({"own rule|" + group, image}, input, allDetectors(), {0, 0});
+                files.run({"own rule|" + group, image}, input, detectorsByOwnRule(), {0, 0});
                 if (i == 0 && side == 512)
                     savePicture(settings, joined("steps-", noise), scene.image);
             }
@@ -200,7 +192,7 @@ void writeScenes(const Settings& settings)
 void writeOneEdge(const Settings& settings)
 {
     SectionFiles files(settings.output, "one-edge");
-    const int side = 256, count = settings.quick ? 2 : 40;
+    const int side = 256, count = settings.quick ? 1 : 40;
     struct Angle
     {
         std::string name;
