@@ -50,7 +50,7 @@ Detector detector(const std::string& name, const Configuration& configuration)
 
 int lowThreshold(cv::Size size)
 {
-    return std::max(1, cvRound(0.1 * std::min(size.width, size.height)));
+    return std::max(1, cvRound(0.05 * std::min(size.width, size.height)));
 }
 
 int minVotesWithoutRule(cv::Size size)

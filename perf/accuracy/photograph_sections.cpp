@@ -19,7 +19,7 @@ namespace accuracy {
 
 namespace {
 
-//! The photographs of a folder in the order of their names; three of them for a quick look.
+//! The photographs of a folder in the order of their names; one of them for a quick look.
 std::vector<std::string> photographs(const Settings& settings, const std::string& folder)
 {
     std::vector<std::string> names;
@@ -29,8 +29,8 @@ std::vector<std::string> photographs(const Settings& settings, const std::string
     if (names.empty())
         throw std::runtime_error("no photographs in " + settings.data + "/" + folder);
     std::sort(names.begin(), names.end());
-    if (settings.quick && names.size() > 3)
-        names.resize(3);
+    if (settings.quick)
+        names.resize(1);
     return names;
 }
 
@@ -72,7 +72,8 @@ void writeChessboards(const Settings& settings)
 {
     std::vector<Detector> detectors = allDetectors();
     detectors.push_back(unrefinedDetector());
-    detectors.push_back(exactDetector());
+    if (!settings.quick) // it takes seconds
+        detectors.push_back(exactDetector());
     writeFolder(settings, "chessboard", {{false, 50, 150}}, detectors, 100);
 }
 

@@ -149,7 +149,7 @@ std::vector<SceneKind> sceneKinds()
 void writeSteps(const Settings& settings)
 {
     SectionFiles files(settings.output, "steps");
-    const int count = settings.quick ? 3 : 200;
+    const int count = settings.quick ? 1 : 200;
     for (const int side : {256, 512})
         for (const double noise : {8.0, 20.0})
             for (int i = 0; i < count; ++i)
@@ -171,7 +171,7 @@ void writeSteps(const Settings& settings)
 void writeScenes(const Settings& settings)
 {
     SectionFiles files(settings.output, "scenes");
-    const int count = settings.quick ? 1 : 40;
+    const int count = settings.quick ? 1 : 20;
     for (const SceneKind& kind : sceneKinds())
         for (int i = 0; i < count; ++i)
         {
@@ -237,7 +237,7 @@ void writeOneEdge(const Settings& settings)
 void writeNegatives(const Settings& settings)
 {
     SectionFiles files(settings.output, "negatives");
-    const int count = settings.quick ? 2 : 50;
+    const int count = settings.quick ? 1 : 50;
     struct Kind
     {
         const char* name;
