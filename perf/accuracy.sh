@@ -8,7 +8,7 @@
 #   perf/accuracy.sh [--data FOLDER] [--quick]
 # --data   folder with the ground truth of the photographs, default $LINESPACE_EVAL_DATA; without it,
 #          synthetic images only
-# --quick  a few images of each section, everything into build/accuracy-quick/; no document in doc/
+# --quick  a few images of each section; everything, also the document, into build/accuracy-quick/
 set -euo pipefail
 
 data=${LINESPACE_EVAL_DATA:-}
@@ -40,12 +40,13 @@ cd "$(dirname "$0")/.."
 unset LINESPACE_EVAL_DATA # the folder is handed on by name
 
 samples/install_packages.sh run accuracy
-cmake --preset release -DBUILD_TESTS=OFF
+test/fetch_opencv_source.sh # what is configured includes OpenCV's own test harness
+cmake --preset release
 cmake --build --preset release --target linespace_accuracy
 
 lines=build/accuracy document=doc/accuracy.md command=perf/accuracy.sh
 if [[ -n $quick ]]; then
-    lines=build/accuracy-quick document=$lines-quick/accuracy.md command+=" --quick"
+    lines=build/accuracy-quick document=$lines/accuracy.md command+=" --quick"
 fi
 rm -rf "$lines"
 if [[ -n $data ]]; then

@@ -8,6 +8,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+import matplotlib.ticker  # noqa: E402
 import numpy as np  # noqa: E402
 
 import metrics  # noqa: E402
@@ -73,6 +74,8 @@ def error_over_noise(every, folder):
                    label="Cramer-Rao bound")
         panel.set(yscale="log", xlabel="sigma of the noise, grey levels (contrast 50)",
                   ylabel=f"RMS error of the {what}, {unit}", title=f"One edge: {what}")
+        for axis in (panel.yaxis.set_major_formatter, panel.yaxis.set_minor_formatter):
+            axis(matplotlib.ticker.LogFormatter(labelOnlyBase=False, minor_thresholds=(2, 1)))
     _legend_below(figure, panels[0])
     save(figure, folder, "error-over-noise")
 
@@ -98,7 +101,8 @@ def false_lines(every, kinds, folder):
                   hatch="///" if line == "--" else None)
     panel.axhline(1, color="black", linewidth=1, linestyle=":")
     panel.set_yscale("symlog", linthresh=1)
-    panel.set(xticks=range(len(kinds)), xticklabels=kinds, ylim=(0, None),
+    highest = max(max(values) for values in every.values())
+    panel.set(xticks=range(len(kinds)), xticklabels=kinds, ylim=(0, 2 * max(highest, 2)),
               ylabel="false lines in ten images", title="Images without any line, 512 x 512")
     _legend_below(figure, panel)
     save(figure, folder, "false-lines")
@@ -106,17 +110,17 @@ def false_lines(every, kinds, folder):
 
 def error_histogram(errors, folder):
     """errors: {detector: pixels}; a panel each, so that none hides another."""
-    figure, panels = plt.subplots(len(errors), 1, figsize=(8, 1.25 * len(errors) + 0.6),
+    figure, panels = plt.subplots(len(errors), 1, figsize=(8, 1.5 * len(errors) + 0.6),
                                   sharex=True, sharey=True)
     bins = np.arange(0, 3.01, 0.05)
     for panel, (detector, values) in zip(panels, errors.items()):
         panel.hist(values, bins, color=STYLE[detector][0])
         panel.axvline(np.median(values), color="black", linestyle=":")
-        panel.text(0.99, 0.86, f"{detector}: {len(values)} lines, median "
-                   f"{np.median(values):.3f} px", transform=panel.transAxes, ha="right", va="top",
-                   bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8})
+        panel.set_title(f"{detector}: {len(values)} lines, median {np.median(values):.3f} px",
+                        loc="right", fontsize=10, pad=3)
         panel.set_ylabel("lines")
-    panels[0].set_title("Chessboards, strongest 40: error of the lines found within 3 px")
+    figure.suptitle("Chessboards, strongest 40: error of the lines found within 3 px")
+    figure.tight_layout()
     panels[-1].set_xlabel("line error, pixels")
     save(figure, folder, "error-histogram")
 
@@ -124,7 +128,10 @@ def error_histogram(errors, folder):
 def picture(photograph, truth, results, size, title, folder, name):
     """truth: (t, 2, 2) ends; results: {detector: (ends of lines, are they found, true lines that
     are missed)}. The photograph beside what each detector made of it."""
-    figure, panels = plt.subplots(1, 1 + len(results), figsize=(5.2 * (1 + len(results)), 4.9))
+    width = 5.2
+    figure, panels = plt.subplots(1, 1 + len(results), layout="constrained",
+                                  figsize=(width * (1 + len(results)),
+                                           width * size[1] / size[0] + 0.6))
     for panel in panels:
         panel.imshow(photograph, cmap="gray", vmin=0, vmax=255)
         panel.set(xlim=(-0.5, size[0] - 0.5), ylim=(size[1] - 0.5, -0.5), xticks=[], yticks=[])
@@ -141,7 +148,7 @@ def picture(photograph, truth, results, size, title, folder, name):
                for colour, line, label in (("#009e73", "-", "true"), (FOUND, "-", "found"),
                                            (FALSE, "-", "not among the true lines"),
                                            (MISSED, "--", "true, but missed"))]
-    figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.05), ncol=4)
+    figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0), ncol=4)
     save(figure, folder, name)
 
 

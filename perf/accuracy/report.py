@@ -83,9 +83,9 @@ threshold 0 (the a-contrario rule), cv::HoughLines above 0.3 of the shorter side
 
 SCENES = """## Other scenes
 
-As above with noise 8, 256 x 256 and eight lines where nothing else is said; as many strongest lines as there are true ones.
-Bars have a contrast of 40 and a width of 3 px where nothing else is said, and their centre line is the truth, so that
-both edges of a bar are off by half its width; *dashed*: the share of each bar's dashes of 8 px that is drawn. *Edge pixels*: the edge map is
+As above with noise 8, 256 x 256 and eight lines where nothing else is said; as many strongest lines as there are true ones. Bars
+have a contrast of 40 and a width of 3 px where nothing else is said; their centre line is the truth, what is found are their edges, so that
+twice as many lines are asked for, within 3 px. *Dashed*: the share of each bar's dashes of 8 px that is drawn. *Edge pixels*: the edge map is
 thinned out, or random pixels are added to it. *Pair*: two parallel lines; *crossing*: two lines that cross near the middle; what is nearer
 than 3 px at both ends is one line to the suppression. {count} scenes each. s.: suppressed.
 """
@@ -139,10 +139,11 @@ class Report:
 
     def picture(self, folder, groups, ends_of, count, tolerance_of):
         """The first photograph of a folder with its truth and what ours and a peer find."""
-        name, image = next(iter(next(iter(groups.values())).items()))
+        edges, images = next(iter(groups.items()))
+        name, image = next(iter(images.items()))
         photograph = _grey(pathlib.Path(self.data) / folder / name)
         _picture(photograph, ends_of(name, image), image, count, tolerance_of(image),
-                 f"{folder}, {name}", self.folder, f"picture-{folder}")
+                 f"{name}, {edges}", self.folder, f"picture-{folder}")
 
 
 def write_photographs(report):
@@ -179,7 +180,7 @@ def write_synthetic(report):
     report.add(STEPS, synthetic.steps(groups), _count(groups))
     image = groups["strongest|512|20"]["scene 0"]
     _picture(_grey(report.folder / "steps-20.png"), synthetic.truth_ends(image), image, 8, 3,
-             "noise 20", report.folder, "picture-steps")
+             "Noise 20", report.folder, "picture-steps")
     report.plot("picture-steps", "One of the scenes with noise 20")
     groups = report.read("scenes")
     report.add(SCENES, synthetic.scenes(groups), _count(groups))

@@ -183,8 +183,10 @@ void writeScenes(const Settings& settings)
             scenes::addClutter(input.edges, kind.clutter, i);
             const ImageName name{kind.group, numbered("scene", i)};
             files.truth(name, scene.truth);
+            // Both edges of a bar are lines of the edge map.
+            const int edges = kind.group.rfind("bars", 0) == 0 ? 2 : 1;
             files.run(name, input, allDetectors(),
-                      {(int)scene.truth.size(), lowThreshold(input.edges.size())});
+                      {edges * (int)scene.truth.size(), lowThreshold(input.edges.size())});
         }
     files.close();
 }
