@@ -24,4 +24,7 @@ for plot in error-over-noise false-lines picture-steps; do
     grep -q "figures/accuracy-$plot.png" "$folder/accuracy.md"
 done
 # Eight clean edges are no matter of luck: ours finds them all.
-grep -q '^Line Space oriented,1.0000,1.0000,' "$folder/table-steps-strongest-512-8.csv"
+grep -q '^Line Space oriented,1.0000,1.0000,' "$folder/table-steps-strongest-512-8.csv" || {
+    echo "check.sh: Line Space oriented does not find eight clean edges" >&2
+    exit 1
+}

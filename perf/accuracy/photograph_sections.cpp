@@ -79,8 +79,10 @@ void writeChessboards(const Settings& settings)
 
 void writeSudoku(const Settings& settings)
 {
-    writeFolder(settings, "sudoku", {{true, 50, 150}, {true, 20, 60}, {true, 10, 40}},
-                allDetectors(), 100);
+    std::vector<EdgeSettings> edges{{true, 50, 150}, {true, 20, 60}, {true, 10, 40}};
+    if (settings.quick)
+        edges.resize(1);
+    writeFolder(settings, "sudoku", edges, allDetectors(), 100);
 }
 
 void writeYork(const Settings& settings)

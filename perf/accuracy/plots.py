@@ -64,7 +64,7 @@ def error_over_noise(every, folder):
     """every: as of synthetic.edge_errors."""
     ratios = [ratio for ratio in every if ratio]
     noise = [synthetic.CONTRAST / ratio for ratio in ratios]
-    figure, panels = plt.subplots(1, 2, figsize=(11, 4.4))
+    figure, panels = plt.subplots(1, 2, figsize=(12, 4.4))
     for panel, what, unit in zip(panels, ("position", "angle"), ("pixels", "mrad")):
         for detector in every[0]:
             errors = [synthetic.rms(synthetic.joined(every[ratio][detector]), what)
@@ -74,8 +74,9 @@ def error_over_noise(every, folder):
                    label="Cramer-Rao bound")
         panel.set(yscale="log", xlabel="sigma of the noise, grey levels (contrast 50)",
                   ylabel=f"RMS error of the {what}, {unit}", title=f"One edge: {what}")
-        for axis in (panel.yaxis.set_major_formatter, panel.yaxis.set_minor_formatter):
-            axis(matplotlib.ticker.LogFormatter(labelOnlyBase=False, minor_thresholds=(2, 1)))
+        panel.yaxis.set_major_locator(matplotlib.ticker.LogLocator(subs=(1, 2, 5)))
+        panel.yaxis.set_major_formatter(matplotlib.ticker.StrMethodFormatter("{x:g}"))
+        panel.yaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
     _legend_below(figure, panels[0])
     save(figure, folder, "error-over-noise")
 

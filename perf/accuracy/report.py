@@ -133,8 +133,8 @@ class Report:
     def read(self, section):
         groups = results.read(self.folder, section)
         if groups is None:
-            self.parts.append(f"## Left out: {section}\n\nIts images are not in this repository; "
-                              "`--data` or `LINESPACE_EVAL_DATA` names their folder.\n")
+            self.parts.append(f"## Left out: {section}\n\nIts photographs are not in this "
+                              "repository; `--data` or `LINESPACE_EVAL_DATA` names their folder.\n")
         return groups
 
     def picture(self, folder, groups, ends_of, count, tolerance_of):
