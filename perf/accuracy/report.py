@@ -39,7 +39,7 @@ and the plots (PNG, SVG). The numbers are the same on every run of one commit wi
   the Line Space does it. The bias of rho by half a step of OpenCV before 4.13 (issue 25038) is taken out first.
 - **FastHoughTransform**: `cv::ximgproc::FastHoughTransform`, the maxima of 5 x 5 cells, turned into lines by
   `HoughPoint2Line`, then suppressed the same way.
-- **LSD**: `cv::createLineSegmentDetector`; **FastLineDetector**: `cv::ximgproc::createFastLineDetector`, on the edge map. Both
+- **LSD**: `cv::createLineSegmentDetector`, its offset of 0.125 px in x and y put right; **FastLineDetector**: `cv::ximgproc::createFastLineDetector`, on the edge map. Both
   report segments: lines are fitted to them. The longest segment (at least 20 px) begins a line, all segments with both ends
   within 2 px of it join, the line is fitted to them by total least squares, weighted by length; strength is the summed length.
 
