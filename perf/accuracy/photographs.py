@@ -58,7 +58,8 @@ def chessboard_errors(groups, data, detectors, count=40):
 
 
 def sudoku(groups, data):
-    """Recall of the grid lines of each edge map, ours beside the best cv::HoughLines."""
+    """Recall of the grid lines of each edge map, ours beside the best cv::HoughLines; the recall
+    over the number of lines is that of the last edge map."""
     table = Table("sudoku", "Sudoku, strongest 60: recall of the 20 grid lines within 1 % of the "
                   "shorter side", ["detector", *groups, "median error, px", "lines per image"])
     ratios = Table("sudoku-ratio", "Sudoku: oriented beside the best cv::HoughLines of each "
@@ -77,7 +78,7 @@ def sudoku(groups, data):
     ratios.add(OURS, *(number(value, 3) for value in ours))
     ratios.add("best HoughLines", *(number(value, 3) for value in best))
     ratios.add("ratio", *(number(a / b, 2) for a, b in zip(ours, best)))
-    images = groups[first]
+    images = list(groups.values())[-1]
     ends = {name: results.sudoku_ends(data, name) for name in images}
     return [table, ratios], recall_curves(images, ends, sudoku_tolerance, range(10, 101, 10))
 

@@ -37,8 +37,8 @@ plt.rcParams.update({"svg.hashsalt": "linespace", "font.size": 10, "axes.grid": 
                      "grid.alpha": 0.3, "figure.facecolor": "white"})
 
 
-def save(figure, folder, name):
-    figure.savefig(folder / f"{name}.png", dpi=110, bbox_inches="tight",
+def save(figure, folder, name, dpi=110):
+    figure.savefig(folder / f"{name}.png", dpi=dpi, bbox_inches="tight",
                    metadata={"Software": None})
     figure.savefig(folder / f"{name}.svg", bbox_inches="tight",
                    metadata={"Date": None, "Creator": None})
@@ -150,7 +150,7 @@ def picture(photograph, truth, results, size, title, folder, name):
                                            (FALSE, "-", "not among the true lines"),
                                            (MISSED, "--", "true, but missed"))]
     figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0), ncol=4)
-    save(figure, folder, name)
+    save(figure, folder, name, dpi=75)
 
 
 def _segments(panel, ends, colour, line, width=1.4):

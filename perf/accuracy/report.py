@@ -160,7 +160,8 @@ def write_photographs(report):
             data, name, image.size), 25, lambda image: 1)
     groups = report.read("sudoku")
     if groups:
-        tables, report.curves["Sudoku, 1 % of the side"] = photographs.sudoku(groups, data)
+        tables, curves = photographs.sudoku(groups, data)
+        report.curves[f"Sudoku, {list(groups)[-1]}, 1 % of the side"] = curves
         report.add(SUDOKU, tables, _count(groups))
         report.picture("sudoku", groups, lambda name, image: results.sudoku_ends(data, name), 60,
                        photographs.sudoku_tolerance)
