@@ -4,8 +4,9 @@
 # of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
 # Installs the Debian packages of one or more groups, and does nothing if all of them are there:
-#   install_packages.sh run     what building and running the programs takes
-#   install_packages.sh test    what the tests take on top of that
+#   install_packages.sh run       what building and running the programs takes
+#   install_packages.sh test      what the tests take on top of that
+#   install_packages.sh accuracy  what perf/accuracy.sh takes on top of run
 set -euo pipefail
 
 run=(g++ cmake ninja-build libopencv-dev nlohmann-json3-dev libcli11-dev opencv-doc)
@@ -18,14 +19,17 @@ test=(
     # OpenCV's own build, reduced.
     opencl-c-headers zlib1g-dev libpng-dev libjpeg-dev
 )
+# xz-utils: OpenCV's sources, which configuring the tests looks for.
+accuracy=(libopencv-contrib-dev python3 python3-numpy python3-scipy python3-matplotlib xz-utils)
 
 wanted=()
 for group in "$@"; do
     case $group in
     run) wanted+=("${run[@]}") ;;
     test) wanted+=("${test[@]}") ;;
+    accuracy) wanted+=("${accuracy[@]}") ;;
     *)
-        echo "install_packages.sh: unknown group '$group'; known are run and test" >&2
+        echo "install_packages.sh: unknown group '$group'; known are run, test and accuracy" >&2
         exit 2
         ;;
     esac
