@@ -17,8 +17,8 @@ const char* nameOf(Candidates candidates)
 {
     switch (candidates)
     {
-    case Candidates::RING_MAXIMA: return "ring maxima (the module's)";
-    case Candidates::PARALLEL_MAXIMA: return "parallel maxima";
+    case Candidates::RING_MAXIMA: return "ring maxima";
+    case Candidates::PARALLEL_MAXIMA: return "parallel maxima (the module's)";
     default: return "every chord";
     }
 }
@@ -28,7 +28,7 @@ const char* nameOf(Ascent ascent)
     switch (ascent)
     {
     case Ascent::NONE: return "none";
-    case Ascent::TWO_STEPS: return "two steps (the module's)";
+    case Ascent::TWO_STEPS: return "two steps";
     default: return "to a ring maximum";
     }
 }
