@@ -4,54 +4,76 @@
 
 #include "acontrario.hpp"
 
-#include <cmath>
-
 namespace cv {
 namespace linespace {
 
 namespace {
 
-//! P(Binomial(n, p) >= k) for 0 < p < 1, k > n p: the terms fall at least geometrically.
-double binomialTail(int n, int k, double p, const std::vector<double>& logFactorial)
+//! Of an edge pixel along a chord, that the next one is one too; doc/algorithm.md, section 7, says
+//! what it is in edge maps of images without lines.
+const double PERSISTENCE = 0.75;
+
+/** P(v or more edge pixels among the next l of a chain), for all v, by whether the pixel before
+these is an edge pixel; l grows by one at a time. */
+class Tails
 {
-    const double odds = p / (1 - p);
-    double term = std::exp(logFactorial[n] - logFactorial[k] - logFactorial[n - k] +
-                           k * std::log(p) + (n - k) * std::log1p(-p));
-    double sum = 0;
-    for (; k <= n && term > sum * 1e-17; ++k)
+public:
+    Tails(int maxLength, double density, double negligible)
+        : inside_(density), persistence_(std::max(density, PERSISTENCE)),
+          begin_(density * (1 - persistence_) / (1 - density)), negligible_(negligible), top_(0),
+          afterNone_(maxLength + 2, 0.), afterEdge_(maxLength + 2, 0.)
     {
-        sum += term;
-        term *= odds * (n - k) / (k + 1);
+        afterNone_[0] = afterEdge_[0] = 1;
     }
-    return sum;
-}
+
+    void lengthen()
+    {
+        double *none = afterNone_.data(), *edge = afterEdge_.data();
+        for (int v = ++top_; v > 0; --v)
+        {
+            const double staysOut = none[v], comesIn = edge[v - 1];
+            none[v] = (1 - begin_) * staysOut + begin_ * comesIn;
+            edge[v] = (1 - persistence_) * staysOut + persistence_ * comesIn;
+        }
+        while (edge[top_] < negligible_) // the larger one; spares most of the work
+        {
+            none[top_] = edge[top_] = 0;
+            --top_;
+        }
+    }
+
+    double at(int votes) const
+    {
+        return (1 - inside_) * afterNone_[votes] + inside_ * afterEdge_[votes];
+    }
+
+private:
+    const double inside_, persistence_, begin_, negligible_;
+    int top_; //!< beyond it all is 0
+    std::vector<double> afterNone_, afterEdge_;
+};
 
 } // namespace
 
 std::vector<int> significantVotes(int maxLength, double density, double tests, double falseAlarms)
 {
-    std::vector<double> logFactorial(maxLength + 1, 0.);
-    for (int i = 2; i <= maxLength; ++i)
-        logFactorial[i] = logFactorial[i - 1] + std::log((double)i);
-
-    // Expected false alarms are compared, not probabilities, as the product may exceed any double's
-    // range only downwards.
     std::vector<int> votes(maxLength + 1);
-    int k = tests < falseAlarms ? 0 : 1; // k = 0 votes have probability 1
-    for (int n = 0; n <= maxLength; ++n)
+    if (density >= 1)
     {
-        // One more pixel never lowers k, and raises it by one at most.
-        for (; k <= n; ++k)
-        {
-            const double tail = k == 0         ? 1
-                                : density <= 0 ? 0
-                                : density >= 1 || k <= n * density
-                                    ? 1
-                                    : binomialTail(n, k, density, logFactorial);
-            if (tests * tail < falseAlarms)
-                break;
-        }
-        votes[n] = k;
+        for (int length = 0; length <= maxLength; ++length)
+            votes[length] = tests < falseAlarms ? 0 : length + 1;
+        return votes;
+    }
+    const double chance = falseAlarms / tests;
+    Tails tails(maxLength, density, chance * 1e-12);
+    int least = 0;
+    for (int length = 0; length <= maxLength; ++length)
+    {
+        if (length > 0)
+            tails.lengthen();
+        while (least <= length && tails.at(least) >= chance)
+            ++least;
+        votes[length] = least;
     }
     return votes;
 }

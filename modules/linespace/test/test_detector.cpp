@@ -693,6 +693,32 @@ TEST_P(Linespace_AContrario, noise_gives_nearly_nothing)
     EXPECT_LE(lines, 20u); // expected: less than 1 for each image
 }
 
+// The rule of independent pixels finds hundreds of lines in each of these.
+TEST_P(Linespace_AContrario, edge_maps_without_lines_give_nearly_nothing)
+{
+    RNG rng(3);
+    size_t lines = 0;
+    for (int i = 0; i < 10; ++i)
+    {
+        Mat1b image(200, 230, 128), edges;
+        if (i % 2 == 0)
+            rng.fill(image, RNG::NORMAL, 128, 10);
+        else
+            for (int k = 0; k < 12; ++k)
+                circle(image, Point(rng.uniform(0, 230), rng.uniform(0, 200)), rng.uniform(8, 25),
+                       Scalar(rng.uniform(0, 256)), -1, LINE_AA);
+        Canny(image, edges, 50, 150);
+        lines += detectLines(*create(1), edges).size();
+        Mat dx, dy;
+        Sobel(image, dx, CV_16S, 1, 0);
+        Sobel(image, dy, CV_16S, 0, 1);
+        Lines oriented;
+        create(1)->detect(edges, dx, dy, oriented);
+        lines += oriented.size();
+    }
+    EXPECT_LE(lines, 1u);
+}
+
 TEST_P(Linespace_AContrario, line_in_noise_is_found)
 {
     const double densities[] = {0, 0.01, 0.1, 0.3};
@@ -714,17 +740,46 @@ Mat1i cascadeTop(const Mat& edges, int cellSize)
     return brute::cascadeTable(edges, cascade, cascade.levelCount() - 1);
 }
 
-// N P(Binomial(l, p) >= v) by a plain sum.
+// By chance, the pixels of a chord are a chain: edge pixels have the share `density`, and the pixel
+// after an edge pixel is one with probability `persistence`.
+struct Chain
+{
+    explicit Chain(double share)
+        : density(share), persistence(std::max(share, 0.75)),
+          begins(share * (1 - persistence) / (1 - share))
+    {
+    }
+    double density, persistence, begins;
+
+    // P(v or more edge pixels in l), by counting through the chain.
+    double tail(int length, int votes) const
+    {
+        // By the number of edge pixels so far, whether the last pixel is one. The pixel before the
+        // chord has a state, too, but does not count.
+        std::vector<double> outside(length + 1, 0.), inside(length + 1, 0.);
+        outside[0] = 1 - density;
+        inside[0] = density;
+        for (int i = 0; i < length; ++i)
+        {
+            const std::vector<double> before = outside, beforeInside = inside;
+            for (int k = 0; k <= length; ++k)
+            {
+                outside[k] = before[k] * (1 - begins) + beforeInside[k] * (1 - persistence);
+                inside[k] = k == 0 ? 0 : before[k - 1] * begins + beforeInside[k - 1] * persistence;
+            }
+        }
+        double sum = 0;
+        for (int k = votes; k <= length; ++k)
+            sum += outside[k] + inside[k];
+        return sum;
+    }
+};
+
 double falseAlarms(double chords, int length, double density, int votes)
 {
-    if (density >= 1)
-        return chords;
-    double sum = 0;
-    for (int k = votes; k <= length && density > 0; ++k)
-        sum += std::exp(std::lgamma(length + 1.0) - std::lgamma(k + 1.0) -
-                        std::lgamma(length - k + 1.0) + k * std::log(density) +
-                        (length - k) * std::log(1 - density));
-    return chords * sum;
+    if (density <= 0 || density >= 1)
+        return chords * (density >= 1 || votes == 0);
+    return chords * Chain(density).tail(length, votes);
 }
 
 // With a mask the density is that within it; with weights the pixels decide, not their sum.
@@ -784,7 +839,7 @@ TEST_P(Linespace_AContrario, every_chord_by_the_rule)
                          format("seed %d, epsilon %g", seed, epsilons[i]));
             if (HasFatalFailure())
                 return;
-            EXPECT_TRUE(epsilons[i] < 1 || seed == 4 || !expected.empty()) << seed;
+            EXPECT_TRUE(epsilons[i] <= 1 || seed == 4 || !expected.empty()) << seed;
         }
     }
 }

@@ -81,8 +81,8 @@ class CV_EXPORTS_W LineSpaceDetector : public Algorithm
 public:
     /** @brief Creates a detector.
     @param threshold a line is reported if it has more votes (edge pixels) than this, >= 0. 0 asks
-    for the a-contrario rule: a line is kept when images of random edge pixels of the same density
-    are expected to have fewer than setFalseAlarms() chords as strong (section 7).
+    for the a-contrario rule: a line is kept when images of random short chains of edge pixels, of
+    the same density, are expected to have fewer than setFalseAlarms() chords as strong (section 7).
     @param maxLines how many lines are reported at most, the strongest first, >= 0; 0 means all.
     @param method one of #Method.
     @param cellSize wanted side of the cells of level 0 in pixels, 2 to 64; the cells that are
