@@ -97,17 +97,17 @@ void writeScales(const Settings& settings)
         for (const std::string& name : photographs(settings, folder))
         {
             const cv::Mat1b image = photograph(settings, folder, name);
-            const auto run = [&](const char* scale, const cv::Mat& scaled)
+            const auto run = [&](const char* scale, const cv::Mat& scaled, double low)
             {
                 files.run({std::string(folder) + "|" + scale, name},
-                          edgeInput(scaled, {false, 50, 150}), detectorsByOwnRule(), {0, 0});
+                          edgeInput(scaled, {false, low, 3 * low}), detectorsByOwnRule(), {0, 0});
             };
             cv::Mat half, twice;
             cv::resize(image, half, cv::Size(image.cols / 2, image.rows / 2), 0, 0, cv::INTER_AREA);
             cv::resize(image, twice, image.size() * 2, 0, 0, cv::INTER_CUBIC);
-            run("half", half);
-            run("whole", image);
-            run("double", twice);
+            run("half", half, 50);
+            run("whole", image, 50);
+            run("double", twice, 25); // interpolated grey levels change half as fast
         }
     files.close();
 }

@@ -108,8 +108,10 @@ side (154 votes), LSD and FastLineDetector, at their defaults, every line fitted
 
 SCALES = """## Other sizes of the same photograph
 
-Each photograph at half and double size, Canny 50/150, no smoothing; the Line Space with threshold 0, cv::HoughLines above 0.3 of the shorter
-side, LSD at its defaults. *Whole in half*: share of the lines of the photograph that have a counterpart among those of the half.
+Each photograph at half and double size, Canny 50/150, 25/75 at double size (interpolated grey levels change half as fast), no smoothing;
+the Line Space with threshold 0, cv::HoughLines above 0.3 of the shorter side, LSD at its defaults. *Whole in half*: share of the lines of
+the photograph that have a counterpart among those of the half. A larger image shows more pixels of a line, so that shorter lines become
+significant: the lines of the smaller image should be among those of the larger one.
 """
 
 
