@@ -45,6 +45,7 @@ int main(int argc, char** argv)
         const bool holds = measure::writeRequirements(text, settings);
         if (!requirementsOnly)
         {
+            measure::writeSelection(text, settings);
             measure::writeTimes(text, settings);
             measure::writeVoteRatio(text, settings);
         }

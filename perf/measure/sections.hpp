@@ -30,6 +30,9 @@ void writeMemory(std::ostream& out, const Settings& settings);
 //! does.
 bool writeRequirements(std::ostream& out, const Settings& settings);
 
+//! What the lines cost beyond the votes, beside cv::ximgproc::FastHoughTransform.
+void writeSelection(std::ostream& out, const Settings& settings);
+
 //! Cascaded against exact votes for several cell sizes.
 void writeVoteRatio(std::ostream& out, const Settings& settings);
 

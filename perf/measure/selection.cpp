@@ -1,0 +1,102 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// What the way from votes to lines costs: candidates, exact votes, selection, refinement.
+
+#include "sections.hpp"
+#include "stopwatch.hpp"
+
+#include "support/edge_maps.hpp"
+
+#include "opencv2/imgproc.hpp"
+#include "opencv2/linespace.hpp"
+#include "opencv2/ximgproc.hpp"
+
+#include <iomanip>
+
+namespace measure {
+
+namespace {
+
+namespace ls = cv::linespace;
+
+struct Input
+{
+    cv::Mat1b edges;
+    cv::Mat dx, dy;
+};
+
+Input inputOf(const Settings& settings, const char* name, cv::Size size)
+{
+    const cv::Mat1b grey = support::scaled(support::readPhotograph(settings.data, name), size);
+    Input input{support::cannyEdges(grey), cv::Mat(), cv::Mat()};
+    cv::Sobel(grey, input.dx, CV_16S, 1, 0);
+    cv::Sobel(grey, input.dy, CV_16S, 0, 1);
+    return input;
+}
+
+//! detect() for at most 100 lines with more votes than the threshold.
+std::function<void()> detection(const Input& input, int threshold, int selection, bool oriented)
+{
+    const auto detector = ls::LineSpaceDetector::create(threshold, 100);
+    detector->setSelection(selection);
+    return [=]
+    {
+        std::vector<cv::Vec3f> lines;
+        if (oriented)
+            detector->detect(input.edges, input.dx, input.dy, lines);
+        else
+            detector->detect(input.edges, lines);
+    };
+}
+
+} // namespace
+
+void writeSelection(std::ostream& out, const Settings& settings)
+{
+    const cv::Size size(512, 512);
+    const int threshold = size.width / 10, nothing = size.width + 1;
+    out << "## From votes to lines\n\n"
+        << size.width << " x " << size.height << ", milliseconds, medians of " << settings.runs
+        << " runs in turn. *Lines*: what `detect` for the 100 strongest lines above " << threshold
+        << " votes takes longer than for lines above " << nothing
+        << ", of which there are none: candidates, exact votes, selection and refinement. FHT is "
+           "cv::ximgproc::FastHoughTransform, the transform alone.\n\n"
+           "| image | threads | votes, selection | detect | lines | FHT | lines / FHT | detect / "
+           "FHT |\n"
+           "| --- | ---: | --- | ---: | ---: | ---: | ---: | ---: |\n"
+        << std::fixed;
+    for (const int threads : {1, 2})
+    {
+        cv::setNumThreads(threads);
+        for (const char* name : {"building.jpg", "board.jpg", "home.jpg", "sudoku.png"})
+        {
+            const Input input = inputOf(settings, name, size);
+            const auto transform = [&]
+            {
+                cv::Mat hough;
+                cv::ximgproc::FastHoughTransform(input.edges, hough, CV_32S);
+            };
+            for (const bool oriented : {false, true})
+                for (const int selection : {ls::SELECT_PEAKS, ls::SELECT_EXPLAIN})
+                {
+                    const std::vector<double> times =
+                        medians({detection(input, threshold, selection, oriented),
+                                 detection(input, nothing, selection, oriented), transform},
+                                settings.runs);
+                    const double lines = times[0] - times[1];
+                    out << "| " << name << " | " << threads << " | "
+                        << (oriented ? "oriented" : "plain")
+                        << (selection == ls::SELECT_PEAKS ? ", peaks | " : ", explain | ")
+                        << std::setprecision(1) << times[0] << " | " << lines << " | " << times[2]
+                        << " | " << std::setprecision(2) << lines / times[2] << " | "
+                        << times[0] / times[2] << " |\n";
+                }
+        }
+    }
+    cv::setNumThreads(-1);
+    out << "\n";
+}
+
+} // namespace measure
