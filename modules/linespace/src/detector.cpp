@@ -632,9 +632,9 @@ private:
         for (size_t i = 0; i < chosen.size(); ++i)
         {
             FittedLine fitted = chosen[i].fitted;
-            const double rho = fitted.line.rho;
+            const bool wasNegative = std::signbit(fitted.line.rho);
             angles.represent(fitted.line);
-            if (fitted.line.rho != rho) // the other sign
+            if (std::signbit(fitted.line.rho) != wasNegative) // also of a rho of 0
                 fitted.covariance.rhoTheta = -fitted.covariance.rhoTheta;
             const Vec2f polar = angles.round(fitted.line);
             if (!angles.contains(

@@ -117,12 +117,15 @@ bool covarianceOf(Size image, const std::vector<Point>& supporters, const Line& 
         return false;
     // Where the line keeps to one row of pixels, their residuals are all alike and say nothing: an
     // edge anywhere within the row looks the same. Each row passed is one more such observation,
-    // evenly spread over the line's length.
-    const double length = scores.back().t - scores.front().t + 1;
+    // evenly spread over the length between the first and the last column, about their middle.
+    const double length = scores.back().t - scores.front().t + 1,
+                 centre = 0.5 * (scores.front().t + scores.back().t);
     const double rows = 1 + length * std::abs(columns.major / columns.minor);
-    const double grid = columns.minor * columns.minor / 12 / rows;
-    result.aa += grid;
-    result.bb += 12 * grid / (length * length);
+    const double position = columns.minor * columns.minor / 12 / rows,
+                 slope = 12 * position / (length * length);
+    result.aa += position + centre * centre * slope;
+    result.ab -= centre * slope;
+    result.bb += slope;
     covariance = polarCovariance(columns, middle, line, result);
     return true;
 }
@@ -175,11 +178,26 @@ FittedLine chordLine(const Cell& frame, Chord chord)
 {
     FittedLine result;
     result.line = lineOf(frame, chord);
-    // Either end is anywhere within half a border edge: variance 1/12 along the border.
+    // Either end is anywhere within half a border edge, with the variance 1/12 along its side; the
+    // line's offset there changes by the normal's component along that side.
     const Columns columns(Size(frame.width, frame.height), result.line);
-    const double middle = 0.5 * (columns.length - 1), length = columns.length;
-    const double end = columns.minor * columns.minor / 12;
-    const OffsetCovariance covariance = {end / 2, 0, 2 * end / (length * length)};
+    const double middle = 0.5 * (columns.length - 1);
+    const int ends[2] = {chord.s, chord.e};
+    double t[2], variance[2];
+    for (int i = 0; i < 2; ++i)
+    {
+        const Point doubled = frame.borderPoint(ends[i]); // pixel (0, 0) has its centre at (1, 1)
+        t[i] = 0.5 * ((columns.xMajor ? doubled.x : doubled.y) - 1) - middle;
+        const int side = frame.sideOf(ends[i]);
+        const bool alongX = side == SIDE_TOP || side == SIDE_BOTTOM;
+        const double component = alongX == columns.xMajor ? columns.major : columns.minor;
+        variance[i] = component * component / 12;
+    }
+    // The line through two independent points.
+    const double square = (t[1] - t[0]) * (t[1] - t[0]);
+    const OffsetCovariance covariance = {
+        (t[1] * t[1] * variance[0] + t[0] * t[0] * variance[1]) / square,
+        -(t[1] * variance[0] + t[0] * variance[1]) / square, (variance[0] + variance[1]) / square};
     result.covariance = polarCovariance(columns, middle, result.line, covariance);
     return result;
 }
