@@ -8,7 +8,6 @@
 #include "acontrario.hpp"
 #include "ascent.hpp"
 #include "backends.hpp"
-#include "edge_profile.hpp"
 #include "line_geometry.hpp"
 #include "orientation.hpp"
 #include "peaks.hpp"
@@ -42,6 +41,26 @@ void checkImage(const Mat& image, const char* name)
                    image.dims, typeToString(image.type()).c_str()));
     if (image.dims != 2)
         CV_Error_(Error::StsBadSize, ("%s has %d dimensions: must be two", name, image.dims));
+}
+
+//! A value that is not finite, if there is one. (To cv::checkRange the largest float is none.)
+bool findNotFinite(const Mat& values, Point& where)
+{
+    const float most = std::numeric_limits<float>::max();
+    for (int y = 0; y < values.rows; ++y)
+    {
+        const float* const row = values.ptr<float>(y);
+        int wrong = 0; // without a branch, for speed
+        for (int x = 0; x < values.cols; ++x)
+            wrong |= !(std::abs(row[x]) <= most);
+        for (int x = 0; wrong && x < values.cols; ++x)
+            if (!(std::abs(row[x]) <= most))
+            {
+                where = Point(x, y);
+                return true;
+            }
+    }
+    return false;
 }
 
 struct Parameters
@@ -138,7 +157,7 @@ struct Gradients
         for (const auto& one : both)
         {
             Point bad;
-            if (!checkRange(one.values, true, &bad))
+            if (one.values.type() == CV_32FC1 && findNotFinite(one.values, bad))
                 CV_Error_(Error::StsOutOfRange, ("%s at (%d, %d) = %g: must be finite", one.name,
                                                  bad.x, bad.y, one.values.at<float>(bad)));
         }
@@ -466,8 +485,8 @@ private:
         {
             edges.directions = gradients.bits(edges.votes, parameters_.orientationTolerance);
             edges.isEstimated = gradients.dx.empty();
-            if (!gradients.dx.empty() && parameters_.refine == REFINE_LEAST_SQUARES)
-                edges.gradients = profileGradients(gradients.dx, gradients.dy);
+            edges.dx = gradients.dx;
+            edges.dy = gradients.dy;
         }
         countVotes(*executor, edges, *plan, parameters_.method == METHOD_EXACT, level, spare_,
                    result_);

@@ -11,8 +11,6 @@ namespace linespace {
 
 namespace {
 
-const double SUPPORT_DISTANCE =
-    1; // pixels; half a pixel of the chord's raster, half of the true line's
 const double EXPLAINED_DISTANCE =
     2; // pixels; what a thick or slightly bent edge leaves beside its line
 const double MOST_MOVED = 0.999; // pixels at the ends inside the image: less than one when rounded
@@ -46,14 +44,13 @@ std::vector<Point> supportersWithin(double reach, const EdgeMap& edges, ushort b
                                     const Line& line)
 {
     const Columns columns(edges.votes.size(), line);
-    const Support support(edges, bit);
+    const Support support(edges, bit, columns);
     std::vector<Point> result;
     columns.forEachWithin(reach,
                           [&](int i, int k)
                           {
-                              const Point pixel = columns.pixel(i, k);
-                              if (support.has(pixel))
-                                  result.push_back(pixel);
+                              if (support.has(i, k))
+                                  result.push_back(columns.pixel(i, k));
                           });
     return result;
 }
@@ -211,7 +208,7 @@ FittedLine refineLine(const EdgeMap& edges, ushort bit, const FittedLine& chord)
     FittedLine best = chord, fitted;
     if (fitEdgePixels(edges, bit, best.line, fitted))
         takeWithinReach(ends, fitted, best);
-    if (!edges.gradients.empty() && fitGradients(edges, edges.gradients, bit, best.line, fitted))
+    if (!edges.dx.empty() && fitGradients(edges, bit, best, fitted))
         takeWithinReach(ends, fitted, best);
     return best;
 }
