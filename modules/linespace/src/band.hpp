@@ -15,6 +15,10 @@
 namespace cv {
 namespace linespace {
 
+//! Edge pixels within this many pixels of a line support it: half a pixel is the chord's raster,
+//! half is that of the edge's own line.
+const double SUPPORT_DISTANCE = 1;
+
 /** The columns of an image that a line passes, or its rows if it is steeper than a diagonal: steps
 along the major axis. */
 struct Columns
@@ -38,16 +42,30 @@ struct Columns
     double distance(int i, int k) const { return i * major + k * minor - rho; }
     Point pixel(int i, int k) const { return xMajor ? Point(i, k) : Point(k, i); }
 
+    //! Those columns of the image where pixels of the image are within a distance of the line, and
+    //! maybe one more at either end.
+    Range within(double distance) const
+    {
+        if (major == 0)
+            return Range(0, length);
+        const double margin = distance + std::abs(minor);
+        const double a = (rho - margin) / major, b = (rho + margin) / major,
+                     shift = limit * minor / major;
+        const double first = std::min(std::min(a, b), std::min(a, b) - shift),
+                     last = std::max(std::max(a, b), std::max(a, b) - shift);
+        return Range((int)std::min(std::max(first, 0.), (double)length),
+                     (int)std::min(std::max(last + 1, 0.), (double)length));
+    }
+
     //! Calls visit(i, k) for the pixels of the image whose centre is within a distance of the line.
     template<class Visit>
-    void forEachWithin(double reach, Visit visit) const
+    void forEachWithin(double distance, Visit visit) const
     {
-        const double along = reach / std::abs(minor);
-        for (int i = 0; i < length; ++i)
+        const double along = distance / std::abs(minor);
+        const Range range = within(distance);
+        for (int i = range.start; i < range.end; ++i)
         {
             const double middle = centre(i);
-            if (!(middle > -along - 1 && middle < limit + along))
-                continue;
             const int first = std::max(0, cvCeil(middle - along)),
                       last = std::min(limit - 1, cvFloor(middle + along));
             for (int k = first; k <= last; ++k)
@@ -60,16 +78,27 @@ struct Columns
 class Support
 {
 public:
-    Support(const EdgeMap& edges, ushort bit) : edges_(edges), bit_(bit) {}
-    bool has(Point pixel) const
+    Support(const EdgeMap& edges, ushort bit, const Columns& columns)
+        : votes_(edges.votes.ptr<uchar>()),
+          directions_(edges.isOriented() ? edges.directions.ptr<ushort>() : 0), bit_(bit),
+          alongStep_(columns.xMajor ? 1 : edges.votes.cols),
+          acrossStep_(columns.xMajor ? edges.votes.cols : 1)
     {
-        return edges_.votes.ptr<uchar>(pixel.y)[pixel.x] != 0 &&
-               (!edges_.isOriented() || (edges_.directions.ptr<ushort>(pixel.y)[pixel.x] & bit_));
+        CV_DbgAssert(edges.votes.isContinuous() &&
+                     (!directions_ || edges.directions.isContinuous()));
+    }
+    //! Pixel k of column i.
+    bool has(int i, int k) const
+    {
+        const size_t pixel = i * alongStep_ + k * acrossStep_;
+        return votes_[pixel] != 0 && (!directions_ || (directions_[pixel] & bit_));
     }
 
 private:
-    const EdgeMap& edges_;
+    const uchar* votes_;
+    const ushort* directions_; // 0: of all directions
     ushort bit_;
+    size_t alongStep_, acrossStep_;
 };
 
 } // namespace linespace

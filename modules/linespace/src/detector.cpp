@@ -8,7 +8,6 @@
 #include "acontrario.hpp"
 #include "ascent.hpp"
 #include "backends.hpp"
-#include "edge_profile.hpp"
 #include "line_geometry.hpp"
 #include "orientation.hpp"
 #include "peaks.hpp"
@@ -42,6 +41,26 @@ void checkImage(const Mat& image, const char* name)
                    image.dims, typeToString(image.type()).c_str()));
     if (image.dims != 2)
         CV_Error_(Error::StsBadSize, ("%s has %d dimensions: must be two", name, image.dims));
+}
+
+//! A value that is not finite, if there is one. (To cv::checkRange the largest float is none.)
+bool findNotFinite(const Mat& values, Point& where)
+{
+    const float most = std::numeric_limits<float>::max();
+    for (int y = 0; y < values.rows; ++y)
+    {
+        const float* const row = values.ptr<float>(y);
+        int wrong = 0; // without a branch, for speed
+        for (int x = 0; x < values.cols; ++x)
+            wrong |= !(std::abs(row[x]) <= most);
+        for (int x = 0; wrong && x < values.cols; ++x)
+            if (!(std::abs(row[x]) <= most))
+            {
+                where = Point(x, y);
+                return true;
+            }
+    }
+    return false;
 }
 
 struct Parameters
@@ -138,7 +157,7 @@ struct Gradients
         for (const auto& one : both)
         {
             Point bad;
-            if (!checkRange(one.values, true, &bad))
+            if (one.values.type() == CV_32FC1 && findNotFinite(one.values, bad))
                 CV_Error_(Error::StsOutOfRange, ("%s at (%d, %d) = %g: must be finite", one.name,
                                                  bad.x, bad.y, one.values.at<float>(bad)));
         }
@@ -352,11 +371,12 @@ private:
                       [&]()
                       {
                           EdgeMap map;
-                          const Ptr<const Plan> plan = count(edges, gradients, -1, map);
+                          const Count counted = count(edges, gradients, -1, map);
                           std::vector<Vec3f> found, deviations;
-                          findLines(map, *plan, found, deviations);
+                          findLines(map, counted, found, deviations);
                           writeVectors(found, lines);
                           deviations_.swap(deviations);
+                          keep(counted);
                       });
     }
 
@@ -417,10 +437,26 @@ private:
                        parameters_.memoryLimit));
     }
 
-    /** Counts the votes of a level (-1: the last one) into result_. All that can be wrong with the
-    arguments is found before anything of the detector changes. */
-    Ptr<const Plan> count(InputArray input, const Gradients& gradients, int level, EdgeMap& edges,
-                          bool writesTable = false)
+    //! What votes were counted by.
+    struct Count
+    {
+        Ptr<const Plan> plan;
+        Ptr<Executor> executor;
+    };
+
+    //! What the detector tells of its last call from now on; nothing of the call can fail any more.
+    void keep(const Count& counted)
+    {
+        plan_ = counted.plan;
+        planMethod_ = parameters_.method;
+        planCellSize_ = parameters_.cellSize;
+        executor_ = counted.executor;
+        activeBackend_ = executor_->backend();
+    }
+
+    //! Counts the votes of a level (-1: the last one) into result_, and changes nothing else.
+    Count count(InputArray input, const Gradients& gradients, int level, EdgeMap& edges,
+                bool writesTable = false)
     {
         const Mat image = input.getMat();
         checkImage(image, "edges");
@@ -449,17 +485,13 @@ private:
         {
             edges.directions = gradients.bits(edges.votes, parameters_.orientationTolerance);
             edges.isEstimated = gradients.dx.empty();
-            if (!gradients.dx.empty() && parameters_.refine == REFINE_LEAST_SQUARES)
-                edges.gradients = profileGradients(gradients.dx, gradients.dy);
+            edges.dx = gradients.dx;
+            edges.dy = gradients.dy;
         }
         countVotes(*executor, edges, *plan, parameters_.method == METHOD_EXACT, level, spare_,
                    result_);
-        plan_ = plan;
-        planMethod_ = parameters_.method;
-        planCellSize_ = parameters_.cellSize;
-        executor_ = executor;
-        activeBackend_ = executor->backend();
-        return plan;
+        const Count counted = {plan, executor};
+        return counted;
     }
 
     Mat votingPixels(const Mat& image) const
@@ -505,12 +537,13 @@ private:
                                                     typeToString(out.type()).c_str()));
         EdgeMap map;
         const Gradients none = {false, Mat(), Mat()};
-        const Ptr<const Plan> plan = count(edges, none, level, map, true);
-        const int l = level < 0 ? plan->levelCount() - 1 : level;
-        const Level& shape = plan->level(l);
+        const Count counted = count(edges, none, level, map, true);
+        const Plan& plan = *counted.plan;
+        const int l = level < 0 ? plan.levelCount() - 1 : level;
+        const Level& shape = plan.level(l);
         const int points = shape.cell.borderCount();
         std::vector<int> rowBits, columnBits;
-        plan->cellOrder(l, rowBits, columnBits);
+        plan.cellOrder(l, rowBits, columnBits);
         Mat table(shape.grid.height * points, shape.grid.width * points, CV_32SC1);
         for (int r = 0; r < shape.grid.height; ++r)
             for (int c = 0; c < shape.grid.width; ++c)
@@ -520,10 +553,11 @@ private:
             table.copyTo(out);
         else
             out.assign(table);
+        keep(counted);
     }
 
-    //! How many edge pixels vote for the chords of each bin; of a map that is not oriented, for all.
-    //! Estimated directions follow the pixels of the chord itself, so they are no independent
+    //! How many edge pixels vote for the chords of each bin; of a map that is not oriented, for
+    //! all. Estimated directions follow the pixels of the chord itself, so they are no independent
     //! evidence against chance: all pixels, to be on the safe side.
     static std::vector<int> votersOf(const EdgeMap& edges)
     {
@@ -570,9 +604,10 @@ private:
         return requirement;
     }
 
-    void findLines(const EdgeMap& edges, const Plan& plan, std::vector<Vec3f>& lines,
+    void findLines(const EdgeMap& edges, const Count& counted, std::vector<Vec3f>& lines,
                    std::vector<Vec3f>& deviations)
     {
+        const Plan& plan = *counted.plan;
         const Requirement requirement = requirementFor(edges, plan);
         if (requirement.threshold == INT_MAX)
             return;
@@ -597,7 +632,7 @@ private:
                                                        16 * (size_t)parameters_.maxLines));
         if (!exact)
         {
-            recount(edges, plan, candidates);
+            recount(edges, plan, *counted.executor, candidates);
             keepAngles(frame, angles, candidates);
         }
         removeIf(candidates, [&](const Candidate& candidate)
@@ -616,9 +651,9 @@ private:
         for (size_t i = 0; i < chosen.size(); ++i)
         {
             FittedLine fitted = chosen[i].fitted;
-            const double rho = fitted.line.rho;
+            const bool wasNegative = std::signbit(fitted.line.rho);
             angles.represent(fitted.line);
-            if (fitted.line.rho != rho) // the other sign
+            if (std::signbit(fitted.line.rho) != wasNegative) // also of a rho of 0
                 fitted.covariance.rhoTheta = -fitted.covariance.rhoTheta;
             const Vec2f polar = angles.round(fitted.line);
             if (!angles.contains(
@@ -651,13 +686,14 @@ private:
     }
 
     //! Counts candidates of the cascade exactly, and lets them climb (section 4.2).
-    void recount(const EdgeMap& edges, const Plan& plan, std::vector<Candidate>& candidates) const
+    void recount(const EdgeMap& edges, const Plan& plan, Executor& executor,
+                 std::vector<Candidate>& candidates) const
     {
         std::vector<Chord> chords(candidates.size());
         for (size_t i = 0; i < chords.size(); ++i)
             chords[i] = candidates[i].chord();
         std::vector<int> votes;
-        executor_->rescore(edges, plan, chords, votes);
+        executor.rescore(edges, plan, chords, votes);
         for (size_t i = 0; i < candidates.size(); ++i)
             candidates[i].votes = votes[i];
         if (ascentRadius() > 0)

@@ -11,97 +11,212 @@ namespace {
 
 const int REACH = 3;            // pixels on either side of the line that weigh
 const int MAX_GAP = 8;          // columns
-const int SUPPORT_DISTANCE = 1; // pixels from the line to the edge pixel that gives the sign
-const int MOST_MOVED = 1;       // pixels at the ends
-const int FRACTION_BITS = 10;   // distances are integers in units of 2^-10 pixels
-const int MAX_TAPS = 13;        // pixels of a column within REACH + MOST_MOVED, at 45 degrees
-const int MAX_ITERATIONS = 20;
+const double MAX_OFFSET = 1;    // pixels at the ends; a fit farther away is of something else
+const double MOST_GRADIENT = 2; // times the largest one at an edge pixel: no pixel weighs more
+const int MAX_TAPS = 11;        // pixels of a column within REACH + MAX_OFFSET, at 45 degrees
+const int MAX_STEPS = 20;
 const double STILL = 1e-3; // pixels; a step that is smaller at both ends is the last
 
-//! The pixels of one column around the line.
-struct ProfileColumn
+/** The gradients' components along the normal of a line. In double precision, where neither the
+largest nor the smallest floats leave the range, and shorts are what the same floats are. */
+class NormalGradients
 {
-    int index;                //!< along the major axis
-    int distance;             //!< of the first pixel from the line, signed
-    short gradient[MAX_TAPS]; //!< along the normal; only those of the edge's sign, others 0
+public:
+    NormalGradients(const Mat& dx, const Mat& dy, const Columns& columns, const Line& line)
+        : dx_(dx, columns.xMajor), dy_(dy, columns.xMajor), isFloat_(dx.type() == CV_32FC1),
+          cosine_(std::cos(line.theta)), sine_(std::sin(line.theta))
+    {
+    }
+    //! At pixels k, k + 1, ... of column i.
+    void read(int i, int k, int count, double* components) const
+    {
+        isFloat_ ? readAs<float>(i, k, count, components) : readAs<short>(i, k, count, components);
+    }
+    double at(int i, int k) const
+    {
+        double component;
+        read(i, k, 1, &component);
+        return component;
+    }
+
+private:
+    struct Plane
+    {
+        const uchar* data;
+        size_t alongStep, acrossStep; //!< bytes
+        Plane(const Mat& values, bool xMajor)
+            : data(values.data), alongStep(xMajor ? values.elemSize() : values.step[0]),
+              acrossStep(xMajor ? values.step[0] : values.elemSize())
+        {
+        }
+        const uchar* at(int i, int k) const { return data + i * alongStep + k * acrossStep; }
+    };
+    template<class Value>
+    void readAs(int i, int k, int count, double* components) const
+    {
+        const uchar *x = dx_.at(i, k), *y = dy_.at(i, k);
+        for (int j = 0; j < count; ++j, x += dx_.acrossStep, y += dy_.acrossStep)
+            components[j] = *(const Value*)x * cosine_ + *(const Value*)y * sine_;
+    }
+
+    Plane dx_, dy_;
+    bool isFloat_;
+    double cosine_, sine_;
 };
 
-//! Sums over a column's pixels: weights, weighted distances, and how fast these change.
-struct ColumnSums
+/** The sign that an edge has in the columns of its line: that of the gradient at the supporting
+pixel nearest to the line; 0 without one. */
+class EdgeSigns
 {
-    int64 weight, moment, change;
+public:
+    EdgeSigns(const Columns& columns, const Support& support, const NormalGradients& gradients)
+        : range_(columns.within(SUPPORT_DISTANCE)), signs_(range_.size(), 0), supporting_(0),
+          largest_(0)
+    {
+        for (int i = range_.start; i < range_.end; ++i)
+        {
+            const int nearest = nearestSupport(columns, support, i);
+            if (nearest < 0)
+                continue;
+            ++supporting_;
+            const double gradient = gradients.at(i, nearest);
+            largest_ = std::max(largest_, std::abs(gradient));
+            signs_[i - range_.start] = gradient > 0 ? 1 : gradient < 0 ? -1 : 0;
+            if (gradient != 0)
+                own_.push_back(i);
+        }
+        closeGaps();
+    }
+
+    const Range& range() const { return range_; }
+    int at(int i) const { return signs_[i - range_.start]; }
+    //! The columns whose sign is that of their own pixel, not of their neighbours.
+    const std::vector<int>& own() const { return own_; }
+    //! Columns with a supporting pixel, whatever its gradient.
+    int supporting() const { return supporting_; }
+    //! The largest gradient at these pixels.
+    double largest() const { return largest_; }
+
+private:
+    static int nearestSupport(const Columns& columns, const Support& support, int i)
+    {
+        const double centre = columns.centre(i), reach = SUPPORT_DISTANCE / std::abs(columns.minor);
+        int nearest = -1;
+        for (int k = std::max(0, cvCeil(centre - reach)),
+                 last = std::min(columns.limit - 1, cvFloor(centre + reach));
+             k <= last; ++k)
+            if (support.has(i, k) &&
+                (nearest < 0 || std::abs(k - centre) < std::abs(nearest - centre)))
+                nearest = k;
+        return nearest;
+    }
+
+    /** An edge detector leaves out columns by chance, or puts noise in the place of the edge: a
+    sign between two of the other one is dropped, and columns between two of one sign take it, if
+    these are at most MAX_GAP apart. */
+    void closeGaps()
+    {
+        std::vector<int> kept;
+        for (size_t j = 0; j < own_.size(); ++j)
+        {
+            const bool inside =
+                j > 0 && j + 1 < own_.size() && own_[j + 1] - own_[j - 1] <= MAX_GAP;
+            if (!inside || at(own_[j]) == at(own_[j - 1]) || at(own_[j]) == at(own_[j + 1]))
+                kept.push_back(own_[j]);
+        }
+        for (size_t j = 1; j < kept.size(); ++j)
+            if (kept[j] - kept[j - 1] <= MAX_GAP && at(kept[j]) == at(kept[j - 1]))
+                std::fill(signs_.begin() + (kept[j - 1] - range_.start),
+                          signs_.begin() + (kept[j] - range_.start), (schar)at(kept[j]));
+        own_.swap(kept);
+    }
+
+    Range range_;
+    std::vector<schar> signs_;
+    std::vector<int> own_;
+    int supporting_;
+    double largest_;
 };
 
+/** The gradients around a line, and how they pull at it. Tap by tap for all columns, so that the
+inner loop of a sum is over columns and has no branch. */
 class Profile
 {
 public:
-    Profile(const EdgeMap& edges, const Mat& gradients, ushort bit, const Line& line)
-        : columns_(edges.votes.size(), line), support_(edges, bit), gradients_(gradients),
-          cosine_(cvRound(std::cos(line.theta) * (1 << 14))),
-          sine_(cvRound(std::sin(line.theta) * (1 << 14))), middle_(0.5 * (columns_.length - 1)),
-          step_(toFixed(columns_.minor)),
-          taps_(
-              std::min<int>(MAX_TAPS, cvFloor(2 * (REACH + MOST_MOVED) / std::abs(columns_.minor))))
+    Profile(const Columns& columns, const EdgeSigns& signs, const NormalGradients& gradients)
+        : columns_(columns), middle_(0.5 * (columns.length - 1)), step_((float)columns.minor),
+          taps_(cvFloor(2 * (REACH + MAX_OFFSET) / std::abs(columns.minor))), own_(0)
     {
-        std::vector<schar> signs(columns_.length);
-        for (int i = 0; i < columns_.length; ++i)
-            signs[i] = signAt(i);
-        closeGaps(signs);
-        for (int i = 0; i < columns_.length; ++i)
-            if (signs[i] != 0)
-                addColumn(i, signs[i]);
+        CV_DbgAssert(taps_ <= MAX_TAPS);
+        for (int i = signs.range().start; i < signs.range().end; ++i)
+            if (signs.at(i) != 0 && isInside(i))
+                index_.push_back(i);
+        for (size_t j = 0; j < signs.own().size(); ++j)
+            own_ += isInside(signs.own()[j]);
+        const size_t n = index_.size();
+        gradient_.resize(taps_ * n);
+        position_.resize(n);
+        first_.resize(n);
+        distance_.resize(n);
+        weight_.resize(n);
+        moment_.resize(n);
+        change_.resize(n);
+        double components[MAX_TAPS];
+        for (size_t j = 0; j < n; ++j)
+        {
+            const int i = index_[j], first = firstTap(i);
+            position_[j] = (float)(i - middle_);
+            first_[j] = (float)columns.distance(i, first);
+            gradients.read(i, first, taps_, components);
+            // So the largest one at an edge pixel becomes 1, whatever the unit is.
+            const double scale = signs.at(i) / signs.largest();
+            for (int k = 0; k < taps_; ++k)
+                gradient_[k * n + j] =
+                    (float)std::min(std::max(scale * components[k], 0.), MOST_GRADIENT);
+        }
     }
 
-    bool fit(Offset& offset) const
+    //! Columns that have a sign of their own.
+    int ownColumns() const { return own_; }
+    double middle() const { return middle_; }
+
+    //! Moves the line to where it is pulled to neither side, if there is such a place.
+    bool fit(Offset& offset, std::vector<ColumnScore>& scores)
     {
         const double end = 0.5 * columns_.length;
-        for (int iteration = 0; iteration < MAX_ITERATIONS; ++iteration)
+        for (int i = 0; i < MAX_STEPS; ++i)
         {
+            sumUp(offset);
             Normal weights, changes;
-            for (size_t i = 0; i < profile_.size(); ++i)
+            for (size_t j = 0; j < index_.size(); ++j)
             {
-                const double t = profile_[i].index - middle_;
-                const ColumnSums sums = sumsOf(profile_[i], offset);
-                weights.add(t, (double)sums.weight, (double)sums.moment);
-                changes.add(t, (double)sums.change, (double)sums.moment);
+                const double t = position_[j];
+                weights.add(t, weight_[j], moment_[j]);
+                changes.add(t, change_[j], moment_[j]);
             }
             // Newton's step where the sums are as steep as near their zero, else that of the
             // weighted mean.
-            Offset step;
             const Normal& system =
                 changes.s > weights.s / 4 && changes.stt > weights.stt / 4 && changes.isDefinite()
                     ? changes
                     : weights;
             if (!system.isDefinite())
                 return false;
+            Offset step;
             system.solve(step);
-            offset.a += step.a / (1 << FRACTION_BITS);
-            offset.b += step.b / (1 << FRACTION_BITS);
-            const double atEnds = std::abs(step.a) + std::abs(step.b) * end;
-            if (atEnds < STILL * (1 << FRACTION_BITS))
+            offset.a += step.a;
+            offset.b += step.b;
+            if (std::abs(step.a) + std::abs(step.b) * end < STILL)
+            {
+                scoresAfter(step, scores);
                 // Gradients that are as large everywhere tell no position.
                 return changes.s > weights.s / 16 && changes.stt > weights.stt / 16;
-            if (std::abs(offset.a) + std::abs(offset.b) * end > MOST_MOVED)
+            }
+            if (std::abs(offset.a) + std::abs(offset.b) * end > MAX_OFFSET)
                 return false;
         }
         return false;
     }
-
-    bool covariance(const Offset& offset, OffsetCovariance& result) const
-    {
-        std::vector<ColumnScore> scores(profile_.size());
-        for (size_t i = 0; i < profile_.size(); ++i)
-        {
-            const ColumnSums sums = sumsOf(profile_[i], offset);
-            scores[i].t = profile_[i].index - middle_;
-            scores[i].score = (double)sums.moment / (1 << FRACTION_BITS);
-            scores[i].sensitivity = (double)sums.change;
-        }
-        return offsetCovariance(scores, result);
-    }
-
-    const Columns& columns() const { return columns_; }
-    double middle() const { return middle_; }
 
 private:
     //! Weighted least squares of distances over columns.
@@ -125,146 +240,84 @@ private:
         }
     };
 
-    static int toFixed(double pixels) { return cvRound(pixels * (1 << FRACTION_BITS)); }
-
-    int gradientAt(int i, int k) const
+    int firstTap(int i) const { return cvCeil(columns_.centre(i) - 0.5 * taps_); }
+    //! Not so where a window would be cut off by the border of the image, and pull to one side.
+    bool isInside(int i) const
     {
-        const Point pixel = columns_.pixel(i, k);
-        const Vec2s g = gradients_.ptr<Vec2s>(pixel.y)[pixel.x];
-        return (g[0] * cosine_ + g[1] * sine_) >> 14;
+        const int first = firstTap(i);
+        return first >= 0 && first + taps_ <= columns_.limit;
     }
 
-    //! The sign of the gradient at the supporting pixel nearest to the line; 0 without one.
-    schar signAt(int i) const
+    /** The sums over each column's pixels: weights, which are the gradient times
+    (1 - (distance / REACH)^2)^2, weighted distances, and how fast these change. */
+    void sumUp(const Offset& offset)
     {
-        const double centre = columns_.centre(i),
-                     reach = SUPPORT_DISTANCE / std::abs(columns_.minor);
-        // Written such that what is not in the image at all does not overflow an int.
-        if (!(centre > -1 && centre < columns_.limit))
-            return 0;
-        int nearest = -1;
-        for (int k = std::max(0, cvCeil(centre - reach)),
-                 last = std::min(columns_.limit - 1, cvFloor(centre + reach));
-             k <= last; ++k)
-            if (support_.has(columns_.pixel(i, k)) &&
-                (nearest < 0 || std::abs(k - centre) < std::abs(nearest - centre)))
-                nearest = k;
-        const int gradient = nearest < 0 ? 0 : gradientAt(i, nearest);
-        return gradient > 0 ? 1 : gradient < 0 ? -1 : 0;
-    }
-
-    /** An edge detector leaves out columns by chance, or puts noise in the place of the edge: a sign
-    between two of the other one is dropped, and columns between two of one sign take it, if these are at
-    most MAX_GAP apart. */
-    static void closeGaps(std::vector<schar>& signs)
-    {
-        std::vector<int> supported;
-        for (int i = 0; i < (int)signs.size(); ++i)
-            if (signs[i] != 0)
-                supported.push_back(i);
-        std::vector<int> kept;
-        for (size_t i = 0; i < supported.size(); ++i)
+        const int n = (int)index_.size();
+        const float a = (float)offset.a, b = (float)offset.b;
+        float *const distances = distance_.data(), *const weights = weight_.data(),
+                     *const moments = moment_.data(), *const changes = change_.data();
+        for (int j = 0; j < n; ++j)
         {
-            const bool inside =
-                i > 0 && i + 1 < supported.size() && supported[i + 1] - supported[i - 1] <= MAX_GAP;
-            if (!inside || signs[supported[i]] == signs[supported[i - 1]] ||
-                signs[supported[i]] == signs[supported[i + 1]])
-                kept.push_back(supported[i]);
+            distances[j] = first_[j] - (a + b * position_[j]);
+            weights[j] = moments[j] = changes[j] = 0;
         }
-        for (size_t i = 1; i < kept.size(); ++i)
-            if (kept[i] - kept[i - 1] <= MAX_GAP && signs[kept[i]] == signs[kept[i - 1]])
-                std::fill(signs.begin() + kept[i - 1], signs.begin() + kept[i], signs[kept[i]]);
-    }
-
-    void addColumn(int i, int sign)
-    {
-        const int first = cvCeil(columns_.centre(i) - 0.5 * taps_);
-        if (first < 0 || first + taps_ > columns_.limit)
-            return;
-        ProfileColumn column;
-        column.index = i;
-        column.distance = toFixed(columns_.distance(i, first));
         for (int k = 0; k < taps_; ++k)
-            column.gradient[k] = (short)std::max(0, sign * gradientAt(i, first + k));
-        profile_.push_back(column);
-    }
-
-    //! Weights are the gradient times (1 - (distance / REACH)^2)^2.
-    ColumnSums sumsOf(const ProfileColumn& column, const Offset& offset) const
-    {
-        const int reachSquared = REACH * REACH << 2 * FRACTION_BITS, windowBits = 10;
-        int distance = column.distance - toFixed(offset.a + offset.b * (column.index - middle_));
-        ColumnSums sums = {0, 0, 0};
-        for (int k = 0; k < taps_; ++k, distance += step_)
         {
-            // (distance / REACH)^2 with windowBits bits, and 1 less it.
-            const int square = distance * distance;
-            if (square >= reachSquared)
-                continue;
-            const int u = square / (reachSquared >> windowBits), rest = (1 << windowBits) - u;
-            const int64 slope = (int64)column.gradient[k] * rest;
-            sums.weight += slope * rest;
-            sums.moment += slope * rest * distance;
-            sums.change += slope * (rest - 4 * u);
+            const float* const gradients = gradient_.data() + (size_t)k * n;
+            const float shift = k * step_;
+            for (int j = 0; j < n; ++j)
+            {
+                const float distance = distances[j] + shift;
+                const float u = distance * distance * (1.f / (REACH * REACH));
+                const float rest = std::max(1 - u, 0.f), slope = gradients[j] * rest;
+                weights[j] += slope * rest;
+                moments[j] += slope * rest * distance;
+                changes[j] += slope * (rest - 4 * u);
+            }
         }
-        return sums;
     }
 
-    Columns columns_;
-    Support support_;
-    const Mat& gradients_;
-    int cosine_, sine_;
+    //! What is left of the sums after a small step, to first order.
+    void scoresAfter(const Offset& step, std::vector<ColumnScore>& scores) const
+    {
+        scores.resize(index_.size());
+        for (size_t j = 0; j < scores.size(); ++j)
+        {
+            const double moved = step.a + step.b * position_[j];
+            const ColumnScore score = {position_[j], moment_[j] - change_[j] * moved, change_[j]};
+            scores[j] = score;
+        }
+    }
+
+    const Columns& columns_;
     double middle_;
-    int step_, taps_;
-    std::vector<ProfileColumn> profile_;
+    float step_; // from tap to tap, pixels along the normal
+    int taps_, own_;
+    std::vector<int> index_;      // of the columns, along the major axis
+    std::vector<float> gradient_; // by tap, then column; of the edge's sign, 0 where of the other
+    std::vector<float> position_; // of the columns, from the middle of the image
+    std::vector<float> first_;    // distances of the first taps from the line
+    std::vector<float> distance_; // the same from the line moved by an offset
+    std::vector<float> weight_, moment_, change_;
 };
 
 } // namespace
 
-Mat profileGradients(const Mat& dx, const Mat& dy)
+bool fitGradients(const EdgeMap& edges, ushort bit, const FittedLine& line, FittedLine& fitted)
 {
-    const int bits = 12;
-    double low[2], high[2];
-    minMaxLoc(dx, &low[0], &high[0]);
-    minMaxLoc(dy, &low[1], &high[1]);
-    const double largest = std::max(std::max(-low[0], high[0]), std::max(-low[1], high[1]));
-    Mat both[2], result;
-    if (dx.type() == CV_16SC1)
-    {
-        int shift = 0;
-        while (largest > (double)((1 << bits) << shift))
-            ++shift;
-        if (shift == 0)
-        {
-            both[0] = dx;
-            both[1] = dy;
-        }
-        else
-            for (int i = 0; i < 2; ++i)
-                (i == 0 ? dx : dy).convertTo(both[i], CV_16S, std::ldexp(1., -shift));
-    }
-    else
-    {
-        int exponent = 0;
-        std::frexp(largest, &exponent);
-        for (int i = 0; i < 2; ++i)
-            (i == 0 ? dx : dy).convertTo(both[i], CV_16S, std::ldexp(1., bits - exponent));
-    }
-    merge(both, 2, result);
-    return result;
-}
-
-bool fitGradients(const EdgeMap& edges, const Mat& gradients, ushort bit, const Line& line,
-                  FittedLine& fitted)
-{
-    const Profile profile(edges, gradients, bit, line);
+    const Columns columns(edges.votes.size(), line.line);
+    const NormalGradients gradients(edges.dx, edges.dy, columns, line.line);
+    const EdgeSigns signs(columns, Support(edges, bit, columns), gradients);
+    Profile profile(columns, signs, gradients);
     Offset offset = {0, 0};
-    OffsetCovariance covariance;
-    if (!profile.fit(offset) || !profile.covariance(offset, covariance))
+    std::vector<ColumnScore> scores;
+    if (2 * profile.ownColumns() < signs.supporting() || !profile.fit(offset, scores))
         return false;
-    fitted.line = moved(profile.columns(), profile.middle(), line, offset);
-    fitted.covariance =
-        polarCovariance(profile.columns(), profile.middle(), fitted.line, covariance);
+    fitted.line = moved(columns, profile.middle(), line.line, offset);
+    OffsetCovariance covariance;
+    fitted.covariance = offsetCovariance(scores, covariance)
+                            ? polarCovariance(columns, profile.middle(), fitted.line, covariance)
+                            : line.covariance;
     return true;
 }
 

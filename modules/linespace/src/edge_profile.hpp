@@ -12,22 +12,18 @@
 namespace cv {
 namespace linespace {
 
-/** The gradients as fitGradients reads them: CV_16SC2 (dx, dy), at most 2^12 in size each. CV_16S
-is shifted right, rounding down, if a component is larger; CV_32F is multiplied by the power of two that takes
-the largest component of the image to [2^11, 2^12), and rounded to the nearest integers. */
-Mat profileGradients(const Mat& dx, const Mat& dy);
+/** Where the gradients of the map along a line have their maxima.
 
-/** Where the gradients along a line have their maxima.
-
-Each column of the line with a supporting edge pixel within a pixel of the line gives the gradients'
-components along the line's normal, of the sign that the edge has there, at the pixels within three
-pixels of the line, weighted by how near they are. The line is moved until their weighted distances
-and the products of these with the column sum up to 0.
-@param gradients from profileGradients.
+Each column of the line with a supporting edge pixel gives the gradients' components along the
+line's normal, of the sign that the edge has there, at the pixels within three pixels of the line,
+weighted by how near they are. The line is moved until their weighted distances and the products of
+these with the column sum up to 0.
+@param edges with gradients.
 @param bit as for refineLine.
-@return false if that does not end, or too few columns support the line. */
-bool fitGradients(const EdgeMap& edges, const Mat& gradients, ushort bit, const Line& line,
-                  FittedLine& fitted);
+@param fitted keeps the covariance of the given line where the columns do not determine another.
+@return false if that does not end, or fewer than half of the columns that support the line have
+gradients. */
+bool fitGradients(const EdgeMap& edges, ushort bit, const FittedLine& line, FittedLine& fitted);
 
 } // namespace linespace
 } // namespace cv

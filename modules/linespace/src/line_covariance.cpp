@@ -9,9 +9,12 @@ namespace linespace {
 
 Vec3f Covariance::deviations() const
 {
-    const double product = std::sqrt(rho * theta);
+    // Rounding may leave a variance of nothing a little below 0.
+    const double rhoDeviation = std::sqrt(std::max(rho, 0.)),
+                 thetaDeviation = std::sqrt(std::max(theta, 0.));
+    const double product = rhoDeviation * thetaDeviation;
     const double correlation = product > 0 ? std::min(std::max(rhoTheta / product, -1.), 1.) : 0;
-    return Vec3f((float)std::sqrt(rho), (float)std::sqrt(theta), (float)correlation);
+    return Vec3f((float)rhoDeviation, (float)thetaDeviation, (float)correlation);
 }
 
 namespace {
@@ -79,7 +82,7 @@ bool offsetCovariance(const std::vector<ColumnScore>& columns, OffsetCovariance&
             if (lag > lags)
                 break;
             const double product =
-                (lag == 0 && i == j ? 1 : 2 * (1 - lag / (lags + 1))) * column.score * other.score;
+                (i == j ? 1 : 2 * (1 - lag / (lags + 1))) * column.score * other.score;
             v += product;
             vt += product * 0.5 * (column.t + other.t);
             vtt += product * column.t * other.t;
@@ -93,7 +96,7 @@ bool offsetCovariance(const std::vector<ColumnScore>& columns, OffsetCovariance&
     covariance.aa = p * p * v + 2 * p * q * vt + q * q * vtt;
     covariance.ab = p * q * v + (p * r + q * q) * vt + q * r * vtt;
     covariance.bb = q * q * v + 2 * q * r * vt + r * r * vtt;
-    return covariance.aa >= 0 && covariance.bb >= 0;
+    return true;
 }
 
 } // namespace linespace

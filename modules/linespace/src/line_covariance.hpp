@@ -56,7 +56,7 @@ struct ColumnScore
 /** The covariance of the offset at which the scores and their products with t sum up to 0, from
 the scores that are left there (the sandwich estimator). Neighbours up to four columns away may be
 correlated, as smoothed images' gradients are (Newey and West).
-@param columns in the order of t. Returns false if they do not determine a line. */
+@param columns in the order of t, each once. Returns false if they do not determine a line. */
 bool offsetCovariance(const std::vector<ColumnScore>& columns, OffsetCovariance& covariance);
 
 } // namespace linespace

@@ -12,14 +12,16 @@
 namespace cv {
 namespace linespace {
 
-/** The line of a chord as it is: what is known of it is that its ends are within half a border edge. */
+/** The line of a chord as it is: what is known of it is that its ends are within half a border
+edge. */
 FittedLine chordLine(const Cell& frame, Chord chord);
 
 /** Sub-pixel position of the line of a chord.
 
 Total least squares on the edge pixels within one pixel of the line, repeated with the pixels of the
-new line until they stay the same, ten times at most; then, where the map has gradients, fitGradients
-from there. Either moves the ends of the chord's line inside the image by less than a pixel: a result
+new line until they stay the same, ten times at most; then, where the map has gradients,
+fitGradients from there. The pixels are those within three pixels of the chord's line, collected
+once. Either step moves the ends of the chord's line inside the image by less than a pixel: a result
 that is farther away is approached as far as that, one of more than two pixels is left out.
 @param bit of the bin of the line's chord: of an oriented map, only pixels that carry it count.
 @return the given line if neither step determines one. */

@@ -70,8 +70,9 @@ struct EdgeMap
     //! (orientation.hpp); empty: for all.
     Mat directions;
     bool isEstimated; //!< the directions, from the edge pixels themselves
-    //! From profileGradients (edge_profile.hpp), of the same size; empty: none were given.
-    Mat gradients;
+    //! The gradients as they were given, CV_16SC1 or CV_32FC1 of the same size, for the refinement;
+    //! empty: none were.
+    Mat dx, dy;
 
     EdgeMap() : weighted(false), isEstimated(false) {}
     bool isOriented() const { return !directions.empty(); }

@@ -13,6 +13,7 @@
 #include "generators.hpp"
 #include "test_support.hpp"
 
+#include <array>
 #include <limits>
 
 namespace opencv_test {
@@ -141,6 +142,36 @@ TEST_P(Linespace_BadInput, types_of_outputs)
     expectWorksOn();
 }
 
+// Whether an output can take the result shows when everything is computed.
+TEST_P(Linespace_BadInput, sizes_of_outputs)
+{
+    Lines deviations, deviationsAfter;
+    detector->getDeviations(deviations);
+    const Size frame = detector->getFrameSize();
+    const Mat1b larger = randomEdges(Size(60, 50), 0.3, 2);
+    std::array<Vec3f, 1> oneLine = {{Vec3f(1, 2, 3)}};
+    Matx<int, 2, 2> smallTable(1, 2, 3, 4);
+    const Mat1b images[] = {larger, good};
+    for (const Mat1b& image : images)
+    {
+        EXPECT_EQ("", wrongException([&]() { detector->detect(image, oneLine); }, Words()));
+        EXPECT_EQ("", wrongException([&]() { detector->compute(image, smallTable); }, Words()));
+        EXPECT_EQ("",
+                  wrongException([&]() { detector->computeLevel(image, 0, smallTable); }, Words()));
+        EXPECT_EQ(frame, detector->getFrameSize());
+        detector->getDeviations(deviationsAfter);
+        EXPECT_EQ(deviations, deviationsAfter);
+    }
+    EXPECT_EQ(Vec3f(1, 2, 3), oneLine[0]);
+    EXPECT_EQ(4, smallTable(1, 1));
+    expectWorksOn();
+    Ptr<LineSpaceDetector> fresh =
+        LineSpaceDetector::create(8, 0, get<1>(GetParam()), 3, get<0>(GetParam()));
+    EXPECT_EQ("", wrongException([&]() { fresh->detect(good, oneLine); }, Words()));
+    EXPECT_EQ(0, fresh->getLevelCount());
+    EXPECT_EQ(-1, fresh->getActiveBackend());
+}
+
 // The n-th large allocation of a call fails, for every n.
 TEST_P(Linespace_BadInput, failed_allocation)
 {
@@ -188,6 +219,8 @@ TEST_P(Linespace_BadInput, failed_allocation)
                 ASSERT_EQ(
                     0, cvtest::norm(table, Mat(fullTable.size(), CV_32SC1, Scalar(77)), NORM_INF))
                     << "allocation " << n;
+                ASSERT_EQ(-1, fresh->getActiveBackend()) << "allocation " << n;
+                ASSERT_EQ(0, fresh->getLevelCount()) << "allocation " << n;
             }
             fresh->detect(good, lines);
             ASSERT_EQ(expected, lines) << "after a failure of allocation " << n;

@@ -207,7 +207,7 @@ TEST_P(Linespace_Refinement, alternating_polarity_and_kinds_of_gradients)
             0.1)
             << "theta " << theta << " " << lines[0];
         // Shorts, and floats at another scale, are the same gradients but for rounding.
-        const double scales[] = {1, 1e-12, 1e20, 40};
+        const double scales[] = {1, 1e-40, 1e-12, 1e20, 1e36, 40};
         for (double scale : scales)
         {
             Mat dx, dy;
@@ -237,33 +237,37 @@ TEST_P(Linespace_Refinement, alternating_polarity_and_kinds_of_gradients)
     }
 }
 
-// The two edges of a bar have opposite signs: neither pulls the other one's line into the bar.
+// The two edges of a bar have opposite signs: the stronger one does not pull the other one's line
+// to itself. (Where they overlap as much as here, the gradients' maxima are farther apart than
+// they are.)
 TEST_P(Linespace_Refinement, edges_of_a_narrow_bar)
 {
     const Size size(128, 96);
-    const double width = 4.4;
+    const double width = 3, contrasts[] = {45, 150}, errors[] = {0.6, 0.15};
     for (double theta : ANGLES)
     {
         RNG rng(3);
         const Edge middle = {63.5 * std::cos(theta) + 47.5 * std::sin(theta) + 0.4, theta};
         const View view = viewOf(render(size, middle, 1, rng,
-                                        [=](double distance, double) {
-                                            return 100 + step(distance + width / 2, 80) -
-                                                   step(distance - width / 2, 80);
+                                        [=](double distance, double)
+                                        {
+                                            return 125 + step(distance + width / 2, contrasts[0]) -
+                                                   step(distance - width / 2, contrasts[1]);
                                         }));
         Ptr<LineSpaceDetector> detector =
             LineSpaceDetector::create(25, 2, METHOD_CASCADED, 8, backend());
         detector->setSelection(SELECT_EXPLAIN);
         Vectors lines;
         detector->detect(view.edges, view.dx, view.dy, lines);
-        ASSERT_EQ(2u, lines.size());
-        for (int side = -1; side <= 1; side += 2)
+        EXPECT_EQ(2u, lines.size()) << "theta " << theta;
+        for (int side = 0; side < 2; ++side)
         {
-            const Vec2d truth(middle.rho + side * width / 2, theta);
-            const double nearest =
-                std::min(brute::endDistance(truth, Vec2d(lines[0][0], lines[0][1]), size),
-                         brute::endDistance(truth, Vec2d(lines[1][0], lines[1][1]), size));
-            EXPECT_LT(nearest, 0.08) << "theta " << theta << ", side " << side;
+            const Vec2d truth(middle.rho + (side - 0.5) * width, theta);
+            double nearest = DBL_MAX;
+            for (const Vec3f& line : lines)
+                nearest =
+                    std::min(nearest, brute::endDistance(truth, Vec2d(line[0], line[1]), size));
+            EXPECT_LT(nearest, errors[side]) << "theta " << theta << ", side " << side;
         }
     }
 }
@@ -285,6 +289,101 @@ TEST_P(Linespace_Refinement, gradients_that_tell_no_position)
             dy(size, CV_32FC1, Scalar(std::sin(theta)));
         detector->detect(edges, dx, dy, lines);
         EXPECT_EQ(expected, lines) << "theta " << theta;
+    }
+}
+
+// Gradients tell as much as floats as they do as shorts, and nothing changes with their sign.
+TEST_P(Linespace_Refinement, the_same_gradients_give_the_same_lines)
+{
+    const Size size(128, 96);
+    for (double theta : ANGLES)
+    {
+        RNG rng(17);
+        const Edge edge = {63.5 * std::cos(theta) + 47.5 * std::sin(theta) + 0.2, theta};
+        const View view = stepView(size, edge, 60, 4, rng);
+        Ptr<LineSpaceDetector> detector = strongestAbove(25);
+        const double scales[] = {0.1, 1, 100};
+        for (double scale : scales)
+        {
+            Mat shorts[2], floats[2], negative[2];
+            for (int i = 0; i < 2; ++i)
+            {
+                (i == 0 ? view.dx : view.dy).convertTo(shorts[i], CV_16S, scale);
+                shorts[i].convertTo(floats[i], CV_32F);
+                negative[i] = -shorts[i];
+            }
+            Vectors lines, deviations, others, otherDeviations;
+            detector->detect(view.edges, shorts[0], shorts[1], lines);
+            detector->getDeviations(deviations);
+            ASSERT_EQ(1u, lines.size());
+            detector->detect(view.edges, floats[0], floats[1], others);
+            detector->getDeviations(otherDeviations);
+            EXPECT_EQ(lines, others) << "as floats, theta " << theta << ", scale " << scale;
+            EXPECT_EQ(deviations, otherDeviations)
+                << "as floats, theta " << theta << ", scale " << scale;
+            detector->detect(view.edges, negative[0], negative[1], others);
+            EXPECT_EQ(lines, others) << "other sign, theta " << theta << ", scale " << scale;
+        }
+    }
+}
+
+// A gradient that is out of all proportion is finite, and none of the line's business.
+TEST_P(Linespace_Refinement, a_large_gradient_elsewhere)
+{
+    const Size size(128, 96);
+    RNG rng(19);
+    const Edge edge = {50.3, 0.3};
+    const View view = stepView(size, edge, 60, 2, rng);
+    Ptr<LineSpaceDetector> detector = strongestAbove(25);
+    Vectors lines, others;
+    detector->detect(view.edges, view.dx, view.dy, lines);
+    ASSERT_EQ(1u, lines.size());
+    const float sizes[] = {1e9f, -1e20f, FLT_MAX, -FLT_MAX};
+    for (float large : sizes)
+    {
+        Mat dx = view.dx.clone(), dy = view.dy.clone();
+        dx.at<float>(5, 120) = dy.at<float>(90, 110) = large;
+        detector->detect(view.edges, dx, dy, others);
+        EXPECT_EQ(lines, others) << large;
+        // One of the line's own pixels that is no edge pixel counts as a large one, no more.
+        dx.at<float>(48, 40) = std::abs(large);
+        detector->detect(view.edges, dx, dy, others);
+        ASSERT_EQ(1u, others.size());
+        EXPECT_LT(brute::endDistance(Vec2d(others[0][0], others[0][1]),
+                                     Vec2d(lines[0][0], lines[0][1]), size),
+                  0.03)
+            << large;
+    }
+}
+
+// Few gradients along a line say less of it than all of its edge pixels.
+TEST_P(Linespace_Refinement, gradients_of_few_columns)
+{
+    const Size size(128, 96);
+    for (double theta : ANGLES)
+    {
+        RNG rng(23);
+        const double rho = 63.5 * std::cos(theta) + 47.5 * std::sin(theta) + 0.1;
+        const Edge moved = {rho + 0.6, theta};
+        const View view = stepView(size, moved, 60, 0, rng);
+        Mat1b edges(size, (uchar)0);
+        addLine(edges, rho, theta);
+        Ptr<LineSpaceDetector> detector = strongestAbove(25);
+        Vectors expected, lines;
+        detector->detect(edges, expected);
+        ASSERT_EQ(1u, expected.size());
+        Mat dx = view.dx.clone(), dy = view.dy.clone();
+        const Rect few(56, 40, 16, 16);
+        Mat1b elsewhere(size, (uchar)1);
+        elsewhere(few).setTo(0);
+        dx.setTo(0, elsewhere);
+        dy.setTo(0, elsewhere);
+        detector->detect(edges, dx, dy, lines);
+        EXPECT_EQ(expected, lines) << "theta " << theta;
+        // All of them do move it.
+        detector->detect(edges, view.dx, view.dy, lines);
+        ASSERT_EQ(1u, lines.size());
+        EXPECT_NEAR(moved.rho, lines[0][0], 0.05) << "theta " << theta;
     }
 }
 

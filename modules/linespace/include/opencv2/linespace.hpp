@@ -113,10 +113,14 @@ public:
     @param edges as for detect above.
     @param dx,dy the gradient of the image at each pixel, e.g. of cv::Sobel: both CV_16SC1 or both
     CV_32FC1, of the size of edges, finite; a zero gradient votes for every direction. The length of
-    the gradient does not matter for the votes. With #REFINE_LEAST_SQUARES the gradients within three
-    pixels of a line, also where there is no edge pixel, tell its sub-pixel position (section 5.2), so
-    they are best given as they are, not thinned out or normalised. Both empty (noArray()): the
-    directions are estimated from the edge map, by its structure tensor.
+    the gradient does not matter for the votes. With #REFINE_LEAST_SQUARES the gradients within
+    three pixels of a line, also where there is no edge pixel, tell its sub-pixel position (section
+    5.2), so they are best given as they are, not thinned out or normalised. They count relative to
+    the largest one at the line's edge pixels, so their unit does not matter, and one far larger
+    than that counts as twice as much; one that is an edge pixel of the line itself outweighs the
+    others. Where less than half of a line's edge pixels have gradients, or most of it is within
+    four to six pixels of the image border, its edge pixels alone tell the position. Both empty
+    (noArray()): the directions are estimated from the edge map, by its structure tensor.
     @param lines as for detect above; votes are the edge pixels of the right direction.
     */
     CV_WRAP virtual void detect(InputArray edges, InputArray dx, InputArray dy,
@@ -153,11 +157,12 @@ public:
     //! The back end that really ran in the last call, one of #Backend; -1 before the first call.
     CV_WRAP virtual int getActiveBackend() const = 0;
 
-    /** @brief How well the lines of the last detect are known, by the pixels along them (section 5).
+    /** @brief How well the lines of the last detect are known, by the pixels along them (section
+    5.3).
     @param deviations N x 1 CV_32FC3, or std::vector<Vec3f>, a row for each line: the standard
-    deviation of rho in pixels, that of theta in radians, and their correlation, -1 to 1. They tell what
-    noise and the grid of pixels do to the position, not whether there is a line. Empty before the
-    first call and where no line was found.
+    deviation of rho in pixels, that of theta in radians, and their correlation, -1 to 1. They tell
+    what noise and the grid of pixels do to the position, not whether there is a line. Empty before
+    the first call and where no line was found.
     */
     CV_WRAP virtual void getDeviations(OutputArray deviations) const = 0;
 
@@ -185,10 +190,10 @@ public:
     CV_WRAP virtual void setSuppression(int suppression) = 0;
     CV_WRAP virtual int getSuppression() const = 0;
 
-    /** Radius of the suppression in border points, 0 to 64; 0 keeps every chord above the threshold.
-    For #SUPPRESS_BLOCKS the block is the smallest power of two of at least 2 r + 1 border points.
-    With #METHOD_CASCADED candidates move to maxima of the exact votes in a neighbourhood of this
-    radius, 2 at most (section 4.2). Default 2. */
+    /** Radius of the suppression in border points, 0 to 64; 0 keeps every chord above the
+    threshold. For #SUPPRESS_BLOCKS the block is the smallest power of two of at least 2 r + 1
+    border points. With #METHOD_CASCADED candidates move to maxima of the exact votes in a
+    neighbourhood of this radius, 2 at most (section 4.2). Default 2. */
     CV_WRAP virtual void setSuppressionRadius(int radius) = 0;
     CV_WRAP virtual int getSuppressionRadius() const = 0;
 
@@ -226,9 +231,9 @@ public:
     CV_WRAP virtual void setAngleRange(double minTheta, double maxTheta) = 0;
     CV_WRAP virtual void getAngleRange(CV_OUT double& minTheta, CV_OUT double& maxTheta) const = 0;
 
-    /** For detect with gradients: how far the direction of an edge pixel may be from the centre of the
-    direction bin (11.25 degrees wide) of the lines that it votes for, in degrees, more than 0, at
-    most 90. Below 5.7 degrees there are directions, the axes among them, whose edges vote for no
+    /** For detect with gradients: how far the direction of an edge pixel may be from the centre of
+    the direction bin (11.25 degrees wide) of the lines that it votes for, in degrees, more than 0,
+    at most 90. Below 5.7 degrees there are directions, the axes among them, whose edges vote for no
     line. Default 22.5. */
     CV_WRAP virtual void setOrientationTolerance(double degrees) = 0;
     CV_WRAP virtual double getOrientationTolerance() const = 0;
