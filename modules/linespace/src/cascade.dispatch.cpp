@@ -22,11 +22,9 @@ void addPlanes(const uchar* const* planes, int count, size_t cells, void* votes,
     CV_CPU_DISPATCH(addPlanes, (planes, count, cells, votes, depth), CV_CPU_DISPATCH_MODES_ALL);
 }
 
-void addChosenPlanes(const uchar* const* planes, const uchar* const* bits, uchar bit, int count,
-                     size_t cells, void* votes, int depth)
+void choosePixels(const uchar* plane, const uchar* bits, uchar bit, size_t cells, uchar* chosen)
 {
-    CV_CPU_DISPATCH(addChosenPlanes, (planes, bits, bit, count, cells, votes, depth),
-                    CV_CPU_DISPATCH_MODES_ALL);
+    CV_CPU_DISPATCH(choosePixels, (plane, bits, bit, cells, chosen), CV_CPU_DISPATCH_MODES_ALL);
 }
 
 void mergeRows(const Merge& merge, int firstRow, int lastRow, size_t cells, const void* child,
@@ -43,7 +41,7 @@ void exactRow(const Cell& frame, int s, const ExactMaps& maps, void* votes, int 
 }
 
 const size_t CELLS_PER_TASK =
-    2048; // of level 0: the planes of so many cells stay in a second-level cache
+    1024; // of level 0: the planes of so many cells stay in a second-level cache
 const int ROWS_PER_TASK = 16;
 
 int taskCount(size_t items, size_t itemsPerTask)
@@ -68,28 +66,22 @@ public:
     {
         makePlanes(edges, plan);
         const Cell cell = plan.level(0).cell;
-        const size_t cells = table.cells;
-        const int rows = cell.firstPoint(SIDE_LEFT);
-        const int cellTasks = taskCount(cells, CELLS_PER_TASK), rowTasks = taskCount(rows, 4);
-        parallel_for_(
-            Range(0, cellTasks * rowTasks),
-            [&](const Range& range)
-            {
-                std::vector<const uchar*> pixels(std::max(cell.width, cell.height)),
-                    bits(pixels.size());
-                for (int task = range.start; task < range.end; ++task)
-                {
-                    const size_t begin = task / rowTasks * CELLS_PER_TASK;
-                    const Range block((int)begin, (int)std::min(begin + CELLS_PER_TASK, cells));
-                    const int first = task % rowTasks * 4;
-                    for (int s = first; s < std::min(rows, first + 4); ++s)
-                        for (int e = cell.firstPartner(cell.sideOf(s)); e < cell.borderCount(); ++e)
-                        {
-                            const Chord chord = {s, e};
-                            countChord(edges, cell, chord, block, pixels, bits, table);
-                        }
-                }
-            });
+        const std::vector<ChordPlanes> chords = chordPlanes(cell, edges.isOriented());
+        const size_t tasksOfCells = taskCount(table.cells, CELLS_PER_TASK);
+        // Chords of one bin, or a part of all, in one task.
+        const int parts = edges.isOriented() ? DIRECTION_BINS : 8;
+        parallel_for_(Range(0, (int)tasksOfCells * parts),
+                      [&](const Range& range)
+                      {
+                          Buffer chosen;
+                          for (int task = range.start; task < range.end; ++task)
+                          {
+                              const size_t begin = task / parts * CELLS_PER_TASK;
+                              const Range block((int)begin,
+                                                (int)std::min(begin + CELLS_PER_TASK, table.cells));
+                              countChords(edges, cell, chords, task % parts, block, chosen, table);
+                          }
+                      });
     }
 
     void mergeCells(const Plan& plan, int level, const VoteTable& child,
@@ -142,34 +134,61 @@ public:
     }
 
 private:
-    //! The votes of one chord of level 0, of a block of cells.
-    void countChord(const EdgeMap& edges, const Cell& cell, Chord chord, const Range& block,
-                    std::vector<const uchar*>& pixels, std::vector<const uchar*>& bits,
-                    VoteTable& table) const
+    //! A chord of level 0: its place in the table, and the planes of its pixels.
+    struct ChordPlanes
+    {
+        size_t index;
+        int part; //!< the chord's bin if the map is oriented, else one of 8 equal parts
+        std::vector<int> planes;
+    };
+
+    static std::vector<ChordPlanes> chordPlanes(const Cell& cell, bool isOriented)
+    {
+        std::vector<ChordPlanes> chords;
+        for (int s = 0; s < cell.firstPoint(SIDE_LEFT); ++s)
+            for (int e = cell.firstPartner(cell.sideOf(s)); e < cell.borderCount(); ++e)
+            {
+                const Chord chord = {s, e};
+                ChordPlanes next;
+                next.index = cell.chordIndex(s, e);
+                next.part = isOriented ? directionBin(cell, chord) : (int)chords.size() % 8;
+                Raster(cell, chord)
+                    .forEachPixel([&](int x, int y) { next.planes.push_back(y * cell.width + x); });
+                chords.push_back(next);
+            }
+        return chords;
+    }
+
+    //! The votes of one part of the chords of level 0, of a block of cells.
+    void countChords(const EdgeMap& edges, const Cell& cell, const std::vector<ChordPlanes>& chords,
+                     int part, const Range& block, Buffer& chosen, VoteTable& table) const
     {
         const size_t cells = table.cells, planes = (size_t)cell.width * cell.height;
-        const int bin = edges.isOriented() ? directionBin(cell, chord) : 0;
-        const uchar* const ownPlanes = planes_.data() + block.start;
-        // None if the map is not oriented: an address in them must not be formed then.
-        const uchar* const binPlanes =
-            edges.isOriented() ? directionPlanes_.data() + bin / 8 * planes * cells + block.start
-                               : ownPlanes;
-        int n = 0;
-        Raster(cell, chord)
-            .forEachPixel(
-                [&](int x, int y)
-                {
-                    const size_t plane = ((size_t)y * cell.width + x) * cells;
-                    pixels[n] = ownPlanes + plane;
-                    bits[n++] = binPlanes + plane;
-                });
-        uchar* votes = table.buffer.data() +
-                       (cell.chordIndex(chord.s, chord.e) * cells + block.start) * table.depth;
+        const uchar* own = planes_.data() + block.start;
+        size_t distance = cells; // from one plane to the next
         if (edges.isOriented())
-            addChosenPlanes(pixels.data(), bits.data(), (uchar)(1 << bin % 8), n, block.size(),
-                            votes, table.depth);
-        else
-            addPlanes(pixels.data(), n, block.size(), votes, table.depth);
+        {
+            // Those that vote for the bin, once for all its chords.
+            chosen.allocate(planes * block.size());
+            const uchar* bits = directionPlanes_.data() + part / 8 * planes * cells + block.start;
+            for (size_t i = 0; i < planes; ++i)
+                choosePixels(own + i * cells, bits + i * cells, (uchar)(1 << part % 8),
+                             block.size(), chosen.data() + i * block.size());
+            own = chosen.data();
+            distance = block.size();
+        }
+        std::vector<const uchar*> pixels(std::max(cell.width, cell.height));
+        for (size_t i = 0; i < chords.size(); ++i)
+        {
+            const ChordPlanes& chord = chords[i];
+            if (chord.part != part)
+                continue;
+            for (size_t p = 0; p < chord.planes.size(); ++p)
+                pixels[p] = own + chord.planes[p] * distance;
+            addPlanes(pixels.data(), (int)chord.planes.size(), block.size(),
+                      table.buffer.data() + (chord.index * cells + block.start) * table.depth,
+                      table.depth);
+        }
     }
 
     /** Sorts the edge pixels by their place in the cell: plane y width + x holds pixel (x, y) of

@@ -36,11 +36,9 @@ range.
 @param votes first cell's votes, of `depth` bytes (1 or 2); the sums must fit. */
 void addPlanes(const uchar* const* planes, int count, size_t cells, void* votes, int depth);
 
-/** As addPlanes, of the pixels that have a bit of theirs set.
-@param bits one pointer per pixel of the chord, to the byte with the pixel's bits in the first cell
-of the range. */
-void addChosenPlanes(const uchar* const* planes, const uchar* const* bits, uchar bit, int count,
-                     size_t cells, void* votes, int depth);
+/** Of a plane, the pixels that have a bit of theirs set; the others become 0.
+@param bits to the byte with the pixel's bits, of the first cell of the range. */
+void choosePixels(const uchar* plane, const uchar* bits, uchar bit, size_t cells, uchar* chosen);
 
 /** Computes rows firstRow .. lastRow - 1 of all parents of a level.
 @param child table of the level below, childDepth bytes per vote, 2 * cells cells per chord.
@@ -83,19 +81,6 @@ void addPlanesOf(const uchar* const* planes, int count, size_t cells, Votes* vot
         const uchar *p0 = planes[p], *p1 = planes[p + 1], *p2 = planes[p + 2], *p3 = planes[p + 3];
         for (size_t c = 0; c < cells; ++c)
             votes[c] = (Votes)(votes[c] + p0[c] + p1[c] + p2[c] + p3[c]);
-    }
-}
-
-template<class Votes>
-void addChosenPlanesOf(const uchar* const* planes, const uchar* const* bits, uchar bit, int count,
-                       size_t cells, Votes* votes)
-{
-    std::fill(votes, votes + cells, (Votes)0);
-    for (int p = 0; p < count; ++p)
-    {
-        const uchar *values = planes[p], *own = bits[p];
-        for (size_t c = 0; c < cells; ++c)
-            votes[c] = (Votes)(votes[c] + ((own[c] & bit) == bit ? values[c] : 0));
     }
 }
 
@@ -248,13 +233,10 @@ void addPlanes(const uchar* const* planes, int count, size_t cells, void* votes,
         addPlanesOf(planes, count, cells, (ushort*)votes);
 }
 
-void addChosenPlanes(const uchar* const* planes, const uchar* const* bits, uchar bit, int count,
-                     size_t cells, void* votes, int depth)
+void choosePixels(const uchar* plane, const uchar* bits, uchar bit, size_t cells, uchar* chosen)
 {
-    if (depth == 1)
-        addChosenPlanesOf(planes, bits, bit, count, cells, (uchar*)votes);
-    else
-        addChosenPlanesOf(planes, bits, bit, count, cells, (ushort*)votes);
+    for (size_t c = 0; c < cells; ++c)
+        chosen[c] = (uchar)(plane[c] & ((bits[c] & bit) == bit ? 0xFF : 0));
 }
 
 void mergeRows(const Merge& merge, int firstRow, int lastRow, size_t cells, const void* child,
