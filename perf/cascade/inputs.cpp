@@ -70,7 +70,7 @@ Input inputOf(const Source& source, const cv::Mat1b& image, support::CannyThresh
                 support::cannyEdges(image, thresholds),
                 {},
                 {},
-                std::min(image.cols, image.rows) / 5};
+                std::min(image.cols, image.rows) / 10};
     cv::Sobel(image, input.dx, CV_16S, 1, 0);
     cv::Sobel(image, input.dy, CV_16S, 0, 1);
     return input;

@@ -29,7 +29,7 @@ struct Input
     cv::Mat1b edges;
     cv::Mat1s dx, dy; //!< Sobel gradients of the image the edges are of
 
-    int threshold; //!< votes that a line must exceed: a fifth of the image's shorter side
+    int threshold; //!< votes that a line must exceed: a tenth of the image's shorter side
 };
 
 /** Photographs among OpenCV's sample images, and, if a folder of evaluation images is given, those

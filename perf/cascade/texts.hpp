@@ -14,7 +14,7 @@ constexpr const char* LINES_TEXT = R"(
 
 Of the 100 strongest lines of `METHOD_EXACT`, percent that `METHOD_CASCADED` reports with the same
 parameters: one of its 100 lines is within 1.5 pixels of line error, the largest distance from the two
-ends of the exact line's chord in the image. Threshold: a fifth of the shorter side; everything else at
+ends of the exact line's chord in the image. Threshold: a tenth of the shorter side; everything else at
 the defaults. Oriented: with the Sobel gradients of the image. Each figure is that of all lines of all
 images together; in brackets the image with the smallest share. With 100 lines a pool of 1024 is one of
 1600 (16 for each line).
