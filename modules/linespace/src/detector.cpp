@@ -585,23 +585,29 @@ private:
         const int minVotes = cvFloor(ratio * requirement.threshold);
         const bool parallel = ascentRadius() > 0 && parameters_.suppression == SUPPRESS_RING &&
                               parameters_.suppressionRadius <= MAX_ASCENT_RADIUS;
+        Wanted wanted;
+        wanted.threshold = minVotes;
+        wanted.most =
+            !exact && parameters_.maxLines > 0
+                ? std::max<size_t>(parameters_.poolSize, 16 * (size_t)parameters_.maxLines)
+                : std::numeric_limits<size_t>::max();
+        if (!requirement.pixels.empty() || !angles.isFull())
+            wanted.accepts = [&](const Candidate& candidate)
+            {
+                return requirement.canBeMet(plan, candidate, ratio) &&
+                       isInInterval(frame, angles, candidate);
+            };
         std::vector<Candidate> candidates =
-            parallel ? findParallelMaxima(result_, frame, minVotes)
-                     : findCandidates(result_, frame, minVotes, parameters_.suppression,
+            parallel ? findParallelMaxima(result_, frame, wanted)
+                     : findCandidates(result_, frame, wanted, parameters_.suppression,
                                       parameters_.suppressionRadius);
-        removeIf(candidates, [&](const Candidate& candidate)
-                 { return !requirement.canBeMet(plan, candidate, ratio); });
-        keepAngles(frame, angles, candidates);
-        if (!exact && parameters_.maxLines > 0)
-            keepStrongest(candidates, std::max<size_t>(parameters_.poolSize,
-                                                       16 * (size_t)parameters_.maxLines));
         if (!exact)
-        {
             recount(edges, plan, candidates);
-            keepAngles(frame, angles, candidates);
-        }
-        removeIf(candidates, [&](const Candidate& candidate)
-                 { return !requirement.isMet(edges, plan, candidate); });
+        removeIf(candidates,
+                 [&](const Candidate& candidate) {
+                     return !requirement.isMet(edges, plan, candidate) ||
+                            !isInInterval(frame, angles, candidate);
+                 });
         SelectionRule rule;
         rule.requirement = requirement;
         rule.explain = parameters_.selection == SELECT_EXPLAIN;
@@ -637,17 +643,13 @@ private:
                    : std::min<int>(parameters_.suppressionRadius, MAX_ASCENT_RADIUS);
     }
 
-    static void keepAngles(const Cell& frame, const AngleInterval& angles,
-                           std::vector<Candidate>& candidates)
+    static bool isInInterval(const Cell& frame, const AngleInterval& angles,
+                             const Candidate& candidate)
     {
         if (angles.isFull())
-            return;
-        removeIf(candidates,
-                 [&](const Candidate& candidate)
-                 {
-                     Line line = lineOf(frame, candidate.chord());
-                     return !angles.represent(line);
-                 });
+            return true;
+        Line line = lineOf(frame, candidate.chord());
+        return angles.represent(line);
     }
 
     //! Counts candidates of the cascade exactly, and lets them climb (section 4.2).
