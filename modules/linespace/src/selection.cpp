@@ -4,7 +4,6 @@
 
 #include "selection.hpp"
 
-#include "chord_counter.hpp"
 #include "refine.hpp"
 
 #include <cmath>
@@ -62,11 +61,15 @@ private:
 class LineSelection
 {
 public:
-    LineSelection(const EdgeMap& edges, const Plan& plan, const SelectionRule& rule)
-        : plan_(plan), frame_(plan.frame()), rule_(rule), taken_(plan.imageSize(), rule.distance)
+    LineSelection(const EdgeMap& edges, const Plan& plan, const SelectionRule& rule,
+                  ChordCounter& counter)
+        : plan_(plan), frame_(plan.frame()), rule_(rule), left_(edges), counter_(counter),
+          taken_(plan.imageSize(), rule.distance)
     {
-        if (rule.explain)
-            left_ = makePtr<ChordCounter>(edges, frame_);
+        if (!rule.explain)
+            return;
+        left_.votes = edges.votes.clone();
+        left_.directions = edges.directions.clone();
     }
 
     std::vector<Selected> run(Queue& queue)
@@ -78,7 +81,7 @@ public:
             if (hasFallen(next))
             {
                 const Candidate now = {next.left, next.candidate.s, next.candidate.e};
-                if (rule_.requirement.isMet(left_->edges(), plan_, now))
+                if (rule_.requirement.isMet(left_, plan_, now))
                     queue.push(next);
             }
             else if (take(next.candidate) && rule_.explain)
@@ -97,7 +100,7 @@ private:
         if (!rule_.explain)
             return false;
         const int before = waiting.left;
-        waiting.left = left_->votes(waiting.candidate.chord());
+        waiting.left = counter_.votes(waiting.candidate.chord());
         return waiting.left < before;
     }
 
@@ -117,9 +120,15 @@ private:
     void explainBy(const Selected& selected)
     {
         const std::vector<Point> explained = explainedPixels(
-            left_->edges(), directionBit(frame_, selected.candidate.chord()), selected.fitted.line);
+            left_, directionBit(frame_, selected.candidate.chord()), selected.fitted.line);
         for (size_t i = 0; i < explained.size(); ++i)
-            left_->remove(explained[i]);
+        {
+            const Point pixel = explained[i];
+            counter_.remove(pixel);
+            left_.votes.ptr<uchar>(pixel.y)[pixel.x] = 0;
+            if (left_.isOriented())
+                left_.directions.ptr<ushort>(pixel.y)[pixel.x] = 0;
+        }
     }
 
     bool isNearTaken(const Line& line) const
@@ -133,7 +142,8 @@ private:
     const Plan& plan_;
     const Cell frame_;
     const SelectionRule& rule_;
-    Ptr<ChordCounter> left_; // without what the lines taken explain
+    EdgeMap left_;          // with rule_.explain, without what the lines taken explain
+    ChordCounter& counter_; // of the same
     LineIndex taken_;
     std::vector<Selected> chosen_;
 };
@@ -141,10 +151,10 @@ private:
 } // namespace
 
 std::vector<Selected> selectLines(const EdgeMap& edges, const Plan& plan, const SelectionRule& rule,
-                                  const std::vector<Candidate>& candidates)
+                                  const std::vector<Candidate>& candidates, ChordCounter& counter)
 {
     Queue queue(candidates);
-    return LineSelection(edges, plan, rule).run(queue);
+    return LineSelection(edges, plan, rule, counter).run(queue);
 }
 
 } // namespace linespace

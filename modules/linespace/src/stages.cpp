@@ -40,9 +40,9 @@ double workingMemory(const Plan& plan, bool weighted, bool oriented, int level)
         most[l % 2] = std::max(most[l % 2], bytes);
     }
     const double pixels = (double)plan.frame().width * plan.frame().height;
-    // Votes as they come, transposed once, and in two copies of both for the selection; directions
-    // likewise, and two copies of the gradients.
-    return most[0] + most[1] + (oriented ? 6 + 12 + 8 : 2 + 4) * pixels;
+    // Votes as they come, sorted by cells or transposed, and what the selection leaves of them;
+    // directions likewise, and two copies of the gradients.
+    return most[0] + most[1] + (oriented ? 9 + 8 : 3) * pixels;
 }
 
 namespace {

@@ -455,6 +455,29 @@ TEST_P(Linespace_Detect, edge_weights)
     }
 }
 
+// Chords longer than the sums of bytes and shorts last, of all kinds: candidates climb on exact
+// votes that are counted for many chords at once.
+TEST_P(Linespace_Detect, long_chords)
+{
+    const Size sizes[] = {Size(280, 10), Size(10, 280), Size(40, 31)};
+    for (int i = 0; i < 12; ++i)
+    {
+        const Size size = sizes[i % 3];
+        const bool weighted = i / 3 % 2 == 1, white = i / 6 == 1;
+        const Mat1b edges = white ? whiteEdges(size) : randomEdges(size, 0.6, i);
+        const Selection selection(edges, method(), 4, weighted);
+        Ptr<LineSpaceDetector> detector =
+            plain(std::max(size.width, size.height) / 2 * (weighted ? 128 : 1), 4);
+        detector->setEdgeWeights(weighted);
+        detector->setSuppressionRadius(2);
+        expectChords(detectLines(*detector, edges),
+                     selection.select(detector->getThreshold(), 0, THIN_RING, 2), selection.frame,
+                     format("%d x %d, case %d", size.width, size.height, i));
+        if (HasFatalFailure())
+            return;
+    }
+}
+
 TEST_P(Linespace_Detect, kinds_of_arrays)
 {
     const Mat1b edges = smallScene(9);
