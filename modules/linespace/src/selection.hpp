@@ -67,7 +67,7 @@ struct SelectionRule
     bool explain;    //!< SELECT_EXPLAIN
     double distance; //!< within which a line is a duplicate, pixels
     size_t most;     //!< lines to take
-    //! The line to report for a chord.
+    //! The line to report for a chord; called from several threads at once.
     std::function<FittedLine(Chord)> refine;
 };
 
