@@ -28,6 +28,20 @@ struct Steps
     }
 };
 
+//! Those that cross the rows of the plane: all, in a frame as high as wide. No multiplication.
+struct StepsAcross : Steps
+{
+    explicit StepsAcross(const Steps& steps) : Steps(steps) {}
+
+    ptrdiff_t next()
+    {
+        const ptrdiff_t pixel = major + (ptrdiff_t)(minor >> 32);
+        major += majorStride;
+        minor += increment;
+        return pixel;
+    }
+};
+
 #if CV_SIMD128
 
 void addBytes(const v_uint8x16& sums, int* votes)
@@ -57,10 +71,11 @@ inline v_uint8x16 voting(const v_uint8x16& values, const uchar* bits, const v_ui
 /** Adds what `count` pixels say, and goes on by as many: 255 at most without weights, 257 with.
 Without weights every pixel of `values` that is read is 0 or 1; of an oriented map there are no
 values then, as pixels that do not vote have no bits. */
-template<bool IsWeighted, bool IsOriented>
-void sumParallel(Steps& steps, int count, const uchar* values, const uchar* bits, uchar ownBit,
-                 int* votes)
+template<bool IsWeighted, bool IsOriented, class AnySteps>
+void sumParallelBy(AnySteps& allSteps, int count, const uchar* values, const uchar* bits,
+                   uchar ownBit, int* votes)
 {
+    AnySteps steps = allSteps; // in registers
     const v_uint8x16 bit = v_setall_u8(ownBit), one = v_setall_u8(1);
     if (IsWeighted)
     {
@@ -74,26 +89,37 @@ void sumParallel(Steps& steps, int count, const uchar* values, const uchar* bits
             high = high + second;
         }
         addShorts(low, high, votes);
+        allSteps = steps;
         return;
     }
-    v_uint8x16 sums = v_setzero_u8();
-    for (; count > 0; --count)
+    const auto next = [&]()
     {
         const ptrdiff_t pixel = steps.next();
-        sums = sums + (IsOriented ? voting<true>(one, bits + pixel, bit) : v_load(values + pixel));
+        return IsOriented ? voting<true>(one, bits + pixel, bit) : v_load(values + pixel);
+    };
+    v_uint8x16 even = v_setzero_u8(), odd = even;
+    for (; count >= 4; count -= 4)
+    {
+        even = even + next();
+        odd = odd + next();
+        even = even + next();
+        odd = odd + next();
     }
-    addBytes(sums, votes);
+    for (; count > 0; --count)
+        even = even + next();
+    addBytes(even + odd, votes);
+    allSteps = steps;
 }
 
 #else
 
-template<bool IsWeighted, bool IsOriented>
-void sumParallel(Steps& steps, int count, const uchar* values, const uchar* bits, uchar ownBit,
-                 int* votes)
+template<bool IsWeighted, bool IsOriented, class AnySteps>
+void sumParallelBy(AnySteps& allSteps, int count, const uchar* values, const uchar* bits,
+                   uchar ownBit, int* votes)
 {
     for (; count > 0; --count)
     {
-        const ptrdiff_t pixel = steps.next();
+        const ptrdiff_t pixel = allSteps.next();
         for (int i = 0; i < ChordCounter::PARALLEL; ++i)
             if (!IsOriented || (bits[pixel + i] & ownBit))
                 votes[i] += IsOriented && !IsWeighted ? 1 : values[pixel + i];
@@ -101,6 +127,17 @@ void sumParallel(Steps& steps, int count, const uchar* values, const uchar* bits
 }
 
 #endif
+
+template<bool IsWeighted, bool IsOriented>
+void sumParallel(Steps& steps, int count, const uchar* values, const uchar* bits, uchar ownBit,
+                 int* votes)
+{
+    if (steps.minorStride != 1)
+        return sumParallelBy<IsWeighted, IsOriented>(steps, count, values, bits, ownBit, votes);
+    StepsAcross across(steps);
+    sumParallelBy<IsWeighted, IsOriented>(across, count, values, bits, ownBit, votes);
+    steps = across;
+}
 
 } // namespace
 
