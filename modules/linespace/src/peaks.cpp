@@ -172,7 +172,7 @@ public:
 private:
     enum
     {
-        SAMPLE = 16 //!< one row of so many
+        SAMPLE = 32 //!< one row of so many
     };
 
     int sampledCut(const Wanted& wanted) const

@@ -153,6 +153,31 @@ TEST_P(Linespace_Detect, pool)
         }
 }
 
+// Many strong chords from one border point say nothing of the others': the pool must be filled from
+// these all the same.
+TEST_P(Linespace_Detect, pool_of_a_fan)
+{
+    Mat1b edges = randomEdges(Size(64, 64), 0.05, 3);
+    for (int x = 0; x < 64; x += 4)
+        line(edges, Point(16, 0), Point(x, 63), Scalar(255));
+    const Selection selection(edges, method(), 4);
+    for (int size = 50; size <= 800; size *= 2)
+        for (int radius = 0; radius <= 3; radius += 3)
+        {
+            Ptr<LineSpaceDetector> detector = plain(3, 4);
+            detector->setPoolSize(size);
+            detector->setMaxLines(size / 16);
+            detector->setSuppressionRadius(radius);
+            std::vector<Candidate> expected =
+                selection.select(3, 0, radius ? THIN_RING : THIN_NOT, radius, size);
+            expected.resize(std::min(expected.size(), (size_t)size / 16));
+            expectChords(detectLines(*detector, edges), expected, selection.frame,
+                         format("pool %d, radius %d", size, radius));
+            if (HasFatalFailure())
+                return;
+        }
+}
+
 TEST_P(Linespace_Detect, max_lines_takes_the_first_of_all)
 {
     const Mat1b edges = smallScene(2);
@@ -460,11 +485,12 @@ TEST_P(Linespace_Detect, edge_weights)
 TEST_P(Linespace_Detect, long_chords)
 {
     const Size sizes[] = {Size(280, 10), Size(10, 280), Size(40, 31)};
-    for (int i = 0; i < 12; ++i)
+    const double densities[] = {0.6, 0.97, 1};
+    for (int i = 0; i < 18; ++i)
     {
         const Size size = sizes[i % 3];
-        const bool weighted = i / 3 % 2 == 1, white = i / 6 == 1;
-        const Mat1b edges = white ? whiteEdges(size) : randomEdges(size, 0.6, i);
+        const bool weighted = i / 3 % 2 == 1;
+        const Mat1b edges = i / 6 == 2 ? whiteEdges(size) : randomEdges(size, densities[i / 6], i);
         const Selection selection(edges, method(), 4, weighted);
         Ptr<LineSpaceDetector> detector =
             plain(std::max(size.width, size.height) / 2 * (weighted ? 128 : 1), 4);
