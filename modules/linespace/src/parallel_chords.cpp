@@ -7,6 +7,10 @@
 #include "chord_counter.hpp"
 
 #include <opencv2/core/hal/intrin.hpp>
+#include <opencv2/core/version.hpp>
+#if CV_VERSION_MAJOR > 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR >= 11)
+#include <opencv2/core/hal/intrin_legacy_ops.hpp> // operators; older versions have no functions
+#endif
 
 namespace cv {
 namespace linespace {
