@@ -43,7 +43,7 @@ constexpr const char* CANDIDATES_TEXT = R"(## Candidates and ascent
 Squares of 256 pixels, where the frame is the image; k = 8, a naive pipeline without refinement. Percent
 of the exact table's 100 strongest lines, and in brackets the number of chords counted exactly, in
 thousands, mean of the images. A parallel maximum is stronger than (s + 1, e - 1) and (s - 1, e + 1), its
-parallel neighbours. The module takes parallel maxima, and goes to the first stronger chord where this goes to the strongest.
+parallel neighbours.
 "To a ring maximum": to the strongest of the 5 x 5 chords around, until the chord is the strongest of its
 own. )";
 

@@ -2,133 +2,153 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-#include "ascent.hpp"
+// Where a chord leads to does not depend on who passes by, so a candidate that comes to where one
+// has been is forgotten, and all can take their steps at the same time: first the votes that the
+// step of any of them needs are counted, in parallel, then each takes it.
 
-#include <unordered_map>
+#include "ascent.hpp"
 
 namespace cv {
 namespace linespace {
 
 namespace {
 
-//! The other entries of a neighbourhood on the ring, nearest first; of equally near ones by rows.
-std::vector<Point> neighboursByDistance(int radius)
+bool isSameChord(const Candidate& a, const Candidate& b)
 {
-    std::vector<Point> offsets;
-    for (int i = -radius; i <= radius; ++i)
-        for (int j = -radius; j <= radius; ++j)
-            if (i != 0 || j != 0)
-                offsets.push_back(Point(i, j));
-    std::stable_sort(offsets.begin(), offsets.end(),
-                     [](const Point& a, const Point& b) { return a.dot(a) < b.dot(b); });
-    return offsets;
+    return a.s == b.s && a.e == b.e;
 }
 
-/** Where candidates come to. What one of them found out spares the others counting: a chord's next
-one does not depend on who passes by. */
 class Ascent
 {
 public:
-    Ascent(const ChordCounter& counter, const Cell& frame, const std::vector<Point>& neighbours)
-        : counter_(counter), frame_(frame), neighbours_(neighbours)
+    Ascent(const ChordCounter& counter, const Cell& frame, int radius, VoteStrips& strips)
+        : counter_(counter), frame_(frame), radius_(radius), strips_(strips),
+          isVisited_(frame.chordCount())
     {
     }
 
-    Candidate maximumFrom(const Candidate& start)
+    std::vector<Candidate> run(std::vector<Candidate> climbing)
     {
-        std::vector<size_t> passed;
-        Candidate at = start;
-        for (;;)
+        std::vector<Candidate> maxima, next;
+        for (size_t i = 0; i < climbing.size(); ++i)
+            visit(climbing[i]);
+        while (!climbing.empty())
         {
-            Known& known = known_[indexOf(at)];
-            known.votes = at.votes;
-            if (known.hasMaximum)
-            {
-                at = known.maximum;
-                break;
-            }
-            passed.push_back(indexOf(at));
-            const Candidate next = firstStronger(at);
-            if (next.s == at.s && next.e == at.e)
-                break;
-            at = next;
+            for (size_t i = 0; i < climbing.size(); ++i)
+                if (isInStrips(climbing[i]))
+                    strips_.want(climbing[i].chord(), radius_);
+            strips_.countWanted();
+            takeSteps(climbing, next);
+            size_t left = 0;
+            for (size_t i = 0; i < climbing.size(); ++i)
+                if (isSameChord(next[i], climbing[i]))
+                    maxima.push_back(next[i]);
+                else if (visit(next[i]))
+                    climbing[left++] = next[i];
+            climbing.resize(left);
         }
-        for (size_t i = 0; i < passed.size(); ++i)
-        {
-            Known& known = known_[passed[i]];
-            known.hasMaximum = true;
-            known.maximum = at;
-        }
-        return at;
+        return maxima;
     }
 
 private:
-    struct Known
+    //! Whether nobody has been there before.
+    bool visit(const Candidate& candidate)
     {
-        int votes; //!< -1: not counted yet
-        bool hasMaximum;
-        Candidate maximum;
-        Known() : votes(-1), hasMaximum(false) {}
-    };
-
-    size_t indexOf(const Candidate& candidate) const
-    {
-        return frame_.chordIndex(candidate.s, candidate.e);
+        std::vector<bool>::reference isVisited =
+            isVisited_[frame_.chordIndex(candidate.s, candidate.e)];
+        const bool isNew = !isVisited;
+        isVisited = true;
+        return isNew;
     }
 
-    Candidate firstStronger(const Candidate& candidate)
+    bool isInStrips(const Candidate& candidate) const
+    {
+        return strips_.hasNeighbourhood(candidate.chord(), radius_);
+    }
+
+    void takeSteps(const std::vector<Candidate>& from, std::vector<Candidate>& to) const
+    {
+        to.resize(from.size());
+        const auto takeRange = [&](const Range& range)
+        {
+            for (int i = range.start; i < range.end; ++i)
+                to[i] = isInStrips(from[i]) ? strongestInStrips(from[i].chord())
+                                            : strongestCounted(from[i].chord());
+        };
+        const Range all(0, (int)from.size());
+        if (all.end < 32) // not worth waking up other threads
+            takeRange(all);
+        else
+            parallel_for_(all, takeRange, 8 * std::max(1, getNumThreads()));
+    }
+
+    //! The strongest chord of a neighbourhood, the middle included.
+    Candidate strongestInStrips(Chord middle) const
+    {
+        Candidate best = {-1, 0, 0};
+        strips_.forEachAround(middle, radius_,
+                              [&](int votes, int s, int e)
+                              {
+                                  // In the order of s and e: of equal votes the first one.
+                                  if (votes <= best.votes)
+                                      return;
+                                  best.votes = votes;
+                                  best.s = s;
+                                  best.e = e;
+                              });
+        return best;
+    }
+
+    Candidate strongestCounted(Chord middle) const
     {
         const int points = frame_.borderCount();
-        for (size_t i = 0; i < neighbours_.size(); ++i)
+        Chord chords[ChordCounter::MOST_NEAR] = {};
+        int votes[ChordCounter::MOST_NEAR], count = 0;
+        for (int i = -radius_; i <= radius_; ++i)
+            for (int j = -radius_; j <= radius_; ++j)
+            {
+                const int p = (middle.s + i + points) % points,
+                          q = (middle.e + j + points) % points;
+                const Chord chord = {std::min(p, q), std::max(p, q)};
+                if (frame_.isChord(p, q))
+                    chords[count++] = chord;
+            }
+        counter_.countNear(middle, chords, count, votes);
+        Candidate best = {-1, 0, 0};
+        for (int i = 0; i < count; ++i)
         {
-            const int p = (candidate.s + neighbours_[i].x + points) % points,
-                      q = (candidate.e + neighbours_[i].y + points) % points;
-            if (!frame_.isChord(p, q))
-                continue;
-            Candidate neighbour = {0, std::min(p, q), std::max(p, q)};
-            Known& known = known_[indexOf(neighbour)];
-            if (known.votes < 0)
-                known.votes = counter_.votes(neighbour.chord());
-            neighbour.votes = known.votes;
-            if (isStronger(neighbour, candidate))
-                return neighbour;
+            const Candidate neighbour = {votes[i], chords[i].s, chords[i].e};
+            if (isStronger(neighbour, best))
+                best = neighbour;
         }
-        return candidate;
+        return best;
     }
 
     const ChordCounter& counter_;
     const Cell frame_;
-    const std::vector<Point>& neighbours_;
-    std::unordered_map<size_t, Known> known_; //!< by the chords' indices
+    const int radius_;
+    VoteStrips& strips_;
+    std::vector<bool> isVisited_; //!< by the chords' indices
 };
 
 } // namespace
 
-void climbToMaxima(const ChordCounter& counter, const Cell& frame, int radius,
+void climbToMaxima(const ChordCounter& counter, const Cell& frame, int radius, VoteStrips& strips,
                    std::vector<Candidate>& candidates)
 {
     // On a ring of fewer points a neighbourhood would meet itself.
-    const std::vector<Point> neighbours =
-        neighboursByDistance(std::min(radius, (frame.borderCount() - 1) / 2));
-    // The strongest first: others come to where these have been. Neighbours in the table stay
-    // together, so that one task's knowledge serves its own.
-    std::sort(candidates.begin(), candidates.end(),
-              [](const Candidate& a, const Candidate& b)
-              { return a.s != b.s ? a.s < b.s : a.e < b.e; });
-    parallel_for_(
-        Range(0, (int)candidates.size()),
-        [&](const Range& range)
-        {
-            Ascent ascent(counter, frame, neighbours);
-            for (int i = range.start; i < range.end; ++i)
-                candidates[i] = ascent.maximumFrom(candidates[i]);
-        },
-        getNumThreads());
+    radius = std::min(radius, (frame.borderCount() - 1) / 2);
+    candidates = Ascent(counter, frame, radius, strips).run(candidates);
     std::sort(candidates.begin(), candidates.end(), isStronger);
-    candidates.erase(std::unique(candidates.begin(), candidates.end(),
-                                 [](const Candidate& a, const Candidate& b)
-                                 { return a.s == b.s && a.e == b.e; }),
-                     candidates.end());
+}
+
+double ascentMemory(const Cell& frame, double candidates)
+{
+    candidates = std::min(candidates, frame.chordCount() / 2.); // maxima: every other chord at most
+    // A neighbourhood meets 9 to 18 strips, most of which its candidate shares with others.
+    const double strips = candidates > 0 ? 18 * candidates : (double)frame.chordCount();
+    return frame.chordCount() / 8. + VoteStrips::memory(frame) +
+           VoteStrips::stripMemory(frame, strips) + 3 * candidates * sizeof(Candidate);
 }
 
 } // namespace linespace

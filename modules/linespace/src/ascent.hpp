@@ -7,19 +7,28 @@
 #ifndef OPENCV_LINESPACE_ASCENT_HPP
 #define OPENCV_LINESPACE_ASCENT_HPP
 
-#include "chord_counter.hpp"
 #include "peaks.hpp"
+#include "vote_strips.hpp"
 
 namespace cv {
 namespace linespace {
 
-/** Moves candidates to maxima of the exact votes: to the first stronger chord, in the total order,
-of the (2 radius + 1)^2 ring neighbourhood, the nearest looked at first, and so on until there is
-none.
-@param candidates with exact votes; on return, in the total order, the maxima that they came to, each
-once. */
-void climbToMaxima(const ChordCounter& counter, const Cell& frame, int radius,
+enum
+{
+    MAX_ASCENT_RADIUS = 2 //!< a larger neighbourhood costs more counts than it finds lines
+};
+
+/** Moves candidates to maxima of the exact votes: to the strongest chord, in the total order, of the
+(2 radius + 1)^2 ring neighbourhood, and so on until none is stronger.
+@param radius 1 to MAX_ASCENT_RADIUS.
+@param strips of the counter and the frame, reset.
+@param candidates with any votes; on return, in the total order, the maxima that they came to, each
+once, with exact votes. */
+void climbToMaxima(const ChordCounter& counter, const Cell& frame, int radius, VoteStrips& strips,
                    std::vector<Candidate>& candidates);
+
+//! Bytes that this takes for so many candidates, 0: for any number, but for the candidates.
+double ascentMemory(const Cell& frame, double candidates);
 
 } // namespace linespace
 } // namespace cv

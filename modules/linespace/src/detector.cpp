@@ -189,8 +189,6 @@ void writeCell(const VoteTable& table, const Cell& cell, size_t cellIndex, Mat o
     }
 }
 
-const int MAX_ASCENT_RADIUS = 2; // a larger neighbourhood costs more counts than it finds lines
-
 class LineSpaceDetectorImpl CV_FINAL : public LineSpaceDetector
 {
 public:
@@ -355,6 +353,8 @@ public:
         executor_.reset();
         result_.buffer.release();
         spare_.buffer.release();
+        counter_.clear();
+        strips_.clear();
         deviations_.clear();
         activeBackend_ = -1;
     }
@@ -424,10 +424,28 @@ private:
         return exact ? Plan::exact(size) : Plan::cascaded(size, parameters_.cellSize);
     }
 
-    void checkMemory(const Plan& plan, bool oriented, int level, double outputBytes) const
+    //! Bytes that lines need after the votes, but for the candidates themselves if all are asked for:
+    //! how many there are is known too late.
+    double selectionBytes(const Plan& plan, bool oriented) const
+    {
+        const double counter =
+            ChordCounter::memory(plan.frame(), parameters_.edgeWeights, oriented);
+        return counter +
+               (ascentRadius() > 0
+                    ? ascentMemory(plan.frame(), parameters_.maxLines > 0 ? poolSize() : 0)
+                    : 0);
+    }
+
+    //! Candidates that are counted exactly.
+    size_t poolSize() const
+    {
+        return std::max<size_t>(parameters_.poolSize, 16 * (size_t)parameters_.maxLines);
+    }
+
+    void checkMemory(const Plan& plan, bool oriented, int level, double resultBytes) const
     {
         const double bytes =
-            workingMemory(plan, parameters_.edgeWeights, oriented, level) + outputBytes;
+            workingMemory(plan, parameters_.edgeWeights, oriented, level) + resultBytes;
         const double mebibytes = bytes / (1 << 20);
         if (mebibytes > parameters_.memoryLimit)
             CV_Error_(Error::StsNoMem,
@@ -475,8 +493,9 @@ private:
             level = plan->levelCount() - 1;
         checkRange(level, 0, plan->levelCount() - 1, "level",
                    "less than the number of levels of this image size");
-        const double outputBytes = writesTable ? tableBytes(plan->level(level), image.size()) : 0;
-        checkMemory(*plan, gradients.isOriented, level, outputBytes);
+        checkMemory(*plan, gradients.isOriented, level,
+                    writesTable ? tableBytes(plan->level(level), image.size())
+                                : selectionBytes(*plan, gradients.isOriented));
         const Ptr<Executor> executor = executorFor(parameters_.backend, executor_);
 
         edges.weighted = parameters_.edgeWeights;
@@ -620,26 +639,35 @@ private:
         const int minVotes = cvFloor(ratio * requirement.threshold);
         const bool parallel = ascentRadius() > 0 && parameters_.suppression == SUPPRESS_RING &&
                               parameters_.suppressionRadius <= MAX_ASCENT_RADIUS;
+        Wanted wanted;
+        wanted.threshold = minVotes;
+        wanted.most =
+            !exact && parameters_.maxLines > 0
+                ? std::max<size_t>(parameters_.poolSize, 16 * (size_t)parameters_.maxLines)
+                : std::numeric_limits<size_t>::max();
+        if (!requirement.pixels.empty() || !angles.isFull())
+            wanted.accepts = [&](const Candidate& candidate)
+            {
+                return requirement.canBeMet(plan, candidate, ratio) &&
+                       isInInterval(frame, angles, candidate);
+            };
         std::vector<Candidate> candidates =
-            parallel ? findParallelMaxima(result_, frame, minVotes)
-                     : findCandidates(result_, frame, minVotes, parameters_.suppression,
+            parallel ? findParallelMaxima(result_, frame, wanted)
+                     : findCandidates(result_, frame, wanted, parameters_.suppression,
                                       parameters_.suppressionRadius);
-        removeIf(candidates, [&](const Candidate& candidate)
-                 { return !requirement.canBeMet(plan, candidate, ratio); });
-        keepAngles(frame, angles, candidates);
-        if (!exact && parameters_.maxLines > 0)
-            keepStrongest(candidates, std::max<size_t>(parameters_.poolSize,
-                                                       16 * (size_t)parameters_.maxLines));
+        const bool explain = parameters_.selection == SELECT_EXPLAIN;
+        if (ascentRadius() > 0 || explain)
+            counter_.reset(edges, frame);
         if (!exact)
-        {
             recount(edges, plan, *counted.executor, candidates);
-            keepAngles(frame, angles, candidates);
-        }
-        removeIf(candidates, [&](const Candidate& candidate)
-                 { return !requirement.isMet(edges, plan, candidate); });
+        removeIf(candidates,
+                 [&](const Candidate& candidate) {
+                     return !requirement.isMet(edges, plan, candidate) ||
+                            !isInInterval(frame, angles, candidate);
+                 });
         SelectionRule rule;
         rule.requirement = requirement;
-        rule.explain = parameters_.selection == SELECT_EXPLAIN;
+        rule.explain = explain;
         rule.distance = parameters_.suppressionDistance;
         rule.most = parameters_.maxLines > 0 ? (size_t)parameters_.maxLines
                                              : std::numeric_limits<size_t>::max();
@@ -647,7 +675,7 @@ private:
         {
             return refined(edges, frame, chord, angles);
         };
-        const std::vector<Selected> chosen = selectLines(edges, plan, rule, candidates);
+        const std::vector<Selected> chosen = selectLines(edges, plan, rule, candidates, counter_);
         for (size_t i = 0; i < chosen.size(); ++i)
         {
             FittedLine fitted = chosen[i].fitted;
@@ -672,23 +700,25 @@ private:
                    : std::min<int>(parameters_.suppressionRadius, MAX_ASCENT_RADIUS);
     }
 
-    static void keepAngles(const Cell& frame, const AngleInterval& angles,
-                           std::vector<Candidate>& candidates)
+    static bool isInInterval(const Cell& frame, const AngleInterval& angles,
+                             const Candidate& candidate)
     {
         if (angles.isFull())
-            return;
-        removeIf(candidates,
-                 [&](const Candidate& candidate)
-                 {
-                     Line line = lineOf(frame, candidate.chord());
-                     return !angles.represent(line);
-                 });
+            return true;
+        Line line = lineOf(frame, candidate.chord());
+        return angles.represent(line);
     }
 
-    //! Counts candidates of the cascade exactly, and lets them climb (section 4.2).
+    //! Counts candidates of the cascade exactly, or lets them climb (section 4.2).
     void recount(const EdgeMap& edges, const Plan& plan, Executor& executor,
-                 std::vector<Candidate>& candidates) const
+                 std::vector<Candidate>& candidates)
     {
+        if (ascentRadius() > 0)
+        {
+            strips_.reset(counter_, plan.frame());
+            climbToMaxima(counter_, plan.frame(), ascentRadius(), strips_, candidates);
+            return;
+        }
         std::vector<Chord> chords(candidates.size());
         for (size_t i = 0; i < chords.size(); ++i)
             chords[i] = candidates[i].chord();
@@ -696,9 +726,6 @@ private:
         executor.rescore(edges, plan, chords, votes);
         for (size_t i = 0; i < candidates.size(); ++i)
             candidates[i].votes = votes[i];
-        if (ascentRadius() > 0)
-            climbToMaxima(ChordCounter(edges, plan.frame()), plan.frame(), ascentRadius(),
-                          candidates);
     }
 
     //! The line to report for a chord: one that leaves the interval of angles stays as it was.
@@ -727,6 +754,8 @@ private:
     Ptr<Executor> executor_;
     int activeBackend_;
     VoteTable result_, spare_;
+    ChordCounter counter_;
+    VoteStrips strips_;
     std::vector<Vec3f> deviations_; // of the lines of the last detect
 };
 

@@ -105,7 +105,7 @@ LineIndex::LineIndex(Size image, double distance)
 {
     distanceStep_ = std::max(4., radius_ / 128);
     distanceBins_ = (int)(2 * radius_ / distanceStep_) + 1;
-    bins_.resize(ANGLE_BINS * distanceBins_);
+    bins_.resize(ANGLE_BINS * distanceBins_, -1);
 }
 
 int LineIndex::distanceBin(double distance) const
@@ -120,10 +120,13 @@ void LineIndex::insert(const Line& line)
     Line upright = line;
     const AngleInterval half = {0, CV_PI};
     half.represent(upright);
-    Entry entry = {std::cos(upright.theta), std::sin(upright.theta), upright.rho};
+    Entry entry = {std::cos(upright.theta), std::sin(upright.theta), upright.rho, -1};
     const int angle = std::min((int)(upright.theta * (ANGLE_BINS / CV_PI)), ANGLE_BINS - 1);
     const double distance = entry.rho - (entry.cosine * centre_.x + entry.sine * centre_.y);
-    bins_[angle * distanceBins_ + distanceBin(distance)].push_back(entry);
+    int& last = bins_[bin(angle, distanceBin(distance))];
+    entry.next = last;
+    last = (int)entries_.size();
+    entries_.push_back(entry);
 }
 
 bool LineIndex::hasNear(const Line& line, const Ends& ends) const
@@ -148,18 +151,15 @@ bool LineIndex::hasNear(const Line& line, const Ends& ends) const
         const double at = middle.x * std::cos(theta) + middle.y * std::sin(theta);
         const double slack = distance_ + std::sqrt(middle.dot(middle)) * binWidth + 1e-6;
         for (int d = distanceBin(at - slack), last = distanceBin(at + slack); d <= last; ++d)
-        {
-            const std::vector<Entry>& entries = bin(angle, d);
-            for (size_t i = 0; i < entries.size(); ++i)
+            for (int i = bins_[bin(angle, d)]; i >= 0; i = entries_[i].next)
             {
-                const Entry& other = entries[i];
+                const Entry& other = entries_[i];
                 if (std::abs(other.cosine * ends.first.x + other.sine * ends.first.y - other.rho) <=
                         distance_ &&
                     std::abs(other.cosine * ends.second.x + other.sine * ends.second.y -
                              other.rho) <= distance_)
                     return true;
             }
-        }
     }
     return false;
 }

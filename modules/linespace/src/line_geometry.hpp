@@ -64,21 +64,20 @@ private:
     struct Entry
     {
         double cosine, sine, rho;
+        int next; //!< entry of the bin, -1: none
     };
     enum
     {
         ANGLE_BINS = 256
     };
     int distanceBin(double distance) const;
-    const std::vector<Entry>& bin(int angle, int distance) const
-    {
-        return bins_[angle * distanceBins_ + distance];
-    }
+    int bin(int angle, int distance) const { return angle * distanceBins_ + distance; }
 
     Point2d centre_;
     double distance_, radius_, distanceStep_;
     int distanceBins_;
-    std::vector<std::vector<Entry>> bins_;
+    std::vector<int> bins_; //!< the last entry of each, -1: none
+    std::vector<Entry> entries_;
 };
 
 } // namespace linespace

@@ -130,52 +130,120 @@ std::vector<Candidate> collectByRows(int rows, int rowsPerTask, Collect collect)
     return all;
 }
 
-/** The chords above the threshold for which isInner(entry, length of a row) holds, where the
-neighbourhood of the radius lies within whole rows, and isMaximum(candidate) elsewhere. */
-template<class Votes, class IsInner, class IsMaximum>
-std::vector<Candidate> maxima(const RingTable<Votes>& table, int rows, int threshold, int radius,
-                              IsInner isInner, IsMaximum isMaximum)
+//! Keeps the strongest of the wanted number, in no particular order.
+void keepStrongest(std::vector<Candidate>& candidates, size_t count)
 {
-    return collectByRows(
-        rows, ROWS_PER_TASK,
-        [&](int begin, int end, std::vector<Candidate>& found)
+    if (count >= candidates.size())
+        return;
+    std::nth_element(candidates.begin(), candidates.begin() + count, candidates.end(), isStronger);
+    candidates.resize(count);
+}
+
+/** The local maxima of a table, whatever the neighbourhood is: isInner(entry, length of a row) where
+that of the radius lies within whole rows, isMaximum(candidate) elsewhere. */
+template<class Votes, class IsInner, class IsMaximum>
+class Maxima
+{
+public:
+    Maxima(const RingTable<Votes>& table, int rows, int radius, IsInner isInner,
+           IsMaximum isMaximum)
+        : table_(table), rows_(rows), radius_(radius), isInner_(isInner), isMaximum_(isMaximum)
+    {
+    }
+
+    /** A table has hundreds of thousands of maxima above a usual threshold, most of which come to
+    nothing: only those above a cut are looked for, which a sample of the rows tells. What is
+    returned does not depend on it: with fewer than the wanted number, it was too high. */
+    std::vector<Candidate> strongest(const Wanted& wanted) const
+    {
+        for (int cut = sampledCut(wanted);; cut = wanted.threshold + (cut - wanted.threshold) / 2)
         {
-            int row = -1, rowLength = 0;
-            Range inner;
-            forEachAbove(table, begin, end, threshold,
-                         [&](int s, int e, const Votes* entry)
+            std::vector<Candidate> found =
+                collectByRows(rows_, ROWS_PER_TASK,
+                              [&](int begin, int end, std::vector<Candidate>& part)
+                              { collect(begin, end, cut, wanted, part); });
+            if (found.size() < wanted.most && cut > wanted.threshold)
+                continue;
+            keepStrongest(found, wanted.most);
+            return found;
+        }
+    }
+
+private:
+    enum
+    {
+        SAMPLE = 32 //!< one row of so many
+    };
+
+    int sampledCut(const Wanted& wanted) const
+    {
+        if (wanted.most >= table_.frame.chordCount() / SAMPLE)
+            return wanted.threshold;
+        std::vector<Candidate> sample;
+        for (int s = SAMPLE / 2; s < rows_; s += SAMPLE)
+            collect(s, s + 1, wanted.threshold, wanted, sample);
+        // Half as many again, as the maxima of strong lines stand together in a few rows.
+        const size_t share = (wanted.most + wanted.most / 2) / SAMPLE;
+        if (share >= sample.size())
+            return wanted.threshold;
+        std::nth_element(sample.begin(), sample.begin() + share, sample.end(), isStronger);
+        return sample[share].votes - 1;
+    }
+
+    void collect(int begin, int end, int cut, const Wanted& wanted,
+                 std::vector<Candidate>& found) const
+    {
+        int row = -1, rowLength = 0;
+        Range inner;
+        forEachAbove(table_, begin, end, cut,
+                     [&](int s, int e, const Votes* entry)
+                     {
+                         if (s != row)
                          {
-                             if (s != row)
-                             {
-                                 row = s;
-                                 rowLength = table.frame.rowLength(table.frame.sideOf(s));
-                                 inner = table.innerEnds(s, radius);
-                             }
-                             const Candidate candidate = {(int)*entry, s, e};
-                             if (e >= inner.start && e < inner.end ? isInner(entry, rowLength)
-                                                                   : isMaximum(candidate))
-                                 found.push_back(candidate);
-                         });
-        });
+                             row = s;
+                             rowLength = table_.frame.rowLength(table_.frame.sideOf(s));
+                             inner = table_.innerEnds(s, radius_);
+                         }
+                         const Candidate candidate = {(int)*entry, s, e};
+                         if ((e >= inner.start && e < inner.end ? isInner_(entry, rowLength)
+                                                                : isMaximum_(candidate)) &&
+                             (!wanted.accepts || wanted.accepts(candidate)))
+                             found.push_back(candidate);
+                     });
+    }
+
+    const RingTable<Votes> table_;
+    const int rows_, radius_;
+    const IsInner isInner_;
+    const IsMaximum isMaximum_;
+};
+
+template<class Votes, class IsInner, class IsMaximum>
+std::vector<Candidate> strongestMaxima(const RingTable<Votes>& table, int radius,
+                                       const Wanted& wanted, IsInner isInner, IsMaximum isMaximum)
+{
+    return Maxima<Votes, IsInner, IsMaximum>(table, table.frame.firstPoint(SIDE_LEFT), radius,
+                                             isInner, isMaximum)
+        .strongest(wanted);
 }
 
 template<class Votes>
-std::vector<Candidate> ringMaxima(const RingTable<Votes>& table, int rows, int threshold,
-                                  int radius)
+std::vector<Candidate> ringMaxima(const RingTable<Votes>& table, const Wanted& wanted, int radius)
 {
-    return maxima(
-        table, rows, threshold, radius,
+    return strongestMaxima(
+        table, radius, wanted,
         [=](const Votes* entry, ptrdiff_t rowLength)
         { return RingTable<Votes>::isInnerMaximum(entry, rowLength, radius); },
         [=](const Candidate& candidate) { return table.isRingMaximum(candidate, radius); });
 }
 
 template<class Votes>
-std::vector<Candidate> parallelMaximaOf(const VoteTable& votes, const Cell& frame, int threshold)
+std::vector<Candidate> parallelMaximaOf(const VoteTable& votes, const Cell& frame,
+                                        const Wanted& wanted)
 {
     const RingTable<Votes> table = {votes.ptr<Votes>(), frame, frame.borderCount()};
-    return maxima(
-        table, frame.firstPoint(SIDE_LEFT), threshold, 1,
+    return strongestMaxima(
+        table, 1, wanted,
         [](const Votes* entry, ptrdiff_t rowLength)
         { return entry[1 - rowLength] < *entry && entry[rowLength - 1] <= *entry; },
         [=](const Candidate& candidate) { return table.isParallelMaximum(candidate); });
@@ -245,50 +313,56 @@ std::vector<Candidate> greedyMaxima(const RingTable<Votes>& table, int rows, int
     return kept;
 }
 
+//! What is wanted of candidates that were found among all.
+void keepWanted(const Wanted& wanted, std::vector<Candidate>& candidates)
+{
+    if (wanted.accepts)
+        candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                                        [&](const Candidate& candidate)
+                                        { return !wanted.accepts(candidate); }),
+                         candidates.end());
+    keepStrongest(candidates, wanted.most);
+}
+
 template<class Votes>
-std::vector<Candidate> findCandidatesOf(const VoteTable& votes, const Cell& frame, int threshold,
-                                        int suppression, int radius)
+std::vector<Candidate> findCandidatesOf(const VoteTable& votes, const Cell& frame,
+                                        const Wanted& wanted, int suppression, int radius)
 {
     const RingTable<Votes> table = {votes.ptr<Votes>(), frame, frame.borderCount()};
     const int rows = frame.firstPoint(SIDE_LEFT);
     // On a ring of fewer points a neighbourhood would meet itself.
     radius = std::min(radius, (frame.borderCount() - 1) / 2);
-    if (suppression == SUPPRESS_BLOCKS)
-        return blockMaxima(table, rows, threshold, radius);
-    if (suppression == SUPPRESS_GREEDY)
-        return greedyMaxima(table, rows, threshold, radius);
-    return ringMaxima(table, rows, threshold, radius);
+    if (suppression == SUPPRESS_RING)
+        return ringMaxima(table, wanted, radius);
+    std::vector<Candidate> found = suppression == SUPPRESS_BLOCKS
+                                       ? blockMaxima(table, rows, wanted.threshold, radius)
+                                       : greedyMaxima(table, rows, wanted.threshold, radius);
+    keepWanted(wanted, found);
+    return found;
 }
 
 } // namespace
 
-std::vector<Candidate> findCandidates(const VoteTable& table, const Cell& frame, int threshold,
-                                      int suppression, int radius)
+std::vector<Candidate> findCandidates(const VoteTable& table, const Cell& frame,
+                                      const Wanted& wanted, int suppression, int radius)
 {
-    CV_DbgAssert(table.cells == 1 && table.chords == frame.chordCount() && threshold >= 0);
+    CV_DbgAssert(table.cells == 1 && table.chords == frame.chordCount() && wanted.threshold >= 0);
     if (table.depth == 1)
-        return findCandidatesOf<uchar>(table, frame, threshold, suppression, radius);
+        return findCandidatesOf<uchar>(table, frame, wanted, suppression, radius);
     if (table.depth == 2)
-        return findCandidatesOf<ushort>(table, frame, threshold, suppression, radius);
-    return findCandidatesOf<int>(table, frame, threshold, suppression, radius);
+        return findCandidatesOf<ushort>(table, frame, wanted, suppression, radius);
+    return findCandidatesOf<int>(table, frame, wanted, suppression, radius);
 }
 
-std::vector<Candidate> findParallelMaxima(const VoteTable& table, const Cell& frame, int threshold)
+std::vector<Candidate> findParallelMaxima(const VoteTable& table, const Cell& frame,
+                                          const Wanted& wanted)
 {
-    CV_DbgAssert(table.cells == 1 && table.chords == frame.chordCount() && threshold >= 0);
+    CV_DbgAssert(table.cells == 1 && table.chords == frame.chordCount() && wanted.threshold >= 0);
     if (table.depth == 1)
-        return parallelMaximaOf<uchar>(table, frame, threshold);
+        return parallelMaximaOf<uchar>(table, frame, wanted);
     if (table.depth == 2)
-        return parallelMaximaOf<ushort>(table, frame, threshold);
-    return parallelMaximaOf<int>(table, frame, threshold);
-}
-
-void keepStrongest(std::vector<Candidate>& candidates, size_t count)
-{
-    if (count >= candidates.size())
-        return;
-    std::nth_element(candidates.begin(), candidates.begin() + count, candidates.end(), isStronger);
-    candidates.resize(count);
+        return parallelMaximaOf<ushort>(table, frame, wanted);
+    return parallelMaximaOf<int>(table, frame, wanted);
 }
 
 } // namespace linespace

@@ -10,6 +10,8 @@
 
 #include "stages.hpp"
 
+#include <functional>
+
 namespace cv {
 namespace linespace {
 
@@ -29,24 +31,31 @@ inline bool isStronger(const Candidate& a, const Candidate& b)
     return a.votes != b.votes ? a.votes > b.votes : a.s != b.s ? a.s < b.s : a.e < b.e;
 }
 
-/** The chords of a table of one cell with more than `threshold` votes that survive a suppression.
+//! Which candidates are asked for.
+struct Wanted
+{
+    int threshold; //!< more votes than this
+    size_t most;   //!< only so many, the strongest in the total order
+    //! Candidates that it refuses do not count; empty: it takes all.
+    std::function<bool(const Candidate&)> accepts;
+};
+
+/** The chords of a table of one cell with more than the wanted votes that survive a suppression.
 @param suppression one of enum Suppression. SUPPRESS_RING keeps the chords that are stronger, in the
 total order, than all others (s + i, e + j), |i|, |j| <= radius, on the ring of border points; the
 mirrored entry (e, s) is the same chord. SUPPRESS_BLOCKS keeps the strongest chord of each block of
 [s][e], aligned at multiples of the smallest power of two of at least 2 radius + 1. SUPPRESS_GREEDY
 takes the chords strongest first and deletes the ring neighbourhood of each.
 @return in no particular order but the same for any number of threads. */
-std::vector<Candidate> findCandidates(const VoteTable& table, const Cell& frame, int threshold,
-                                      int suppression, int radius);
+std::vector<Candidate> findCandidates(const VoteTable& table, const Cell& frame,
+                                      const Wanted& wanted, int suppression, int radius);
 
-/** The chords with more than `threshold` votes that are stronger, in the total order, than the two
+/** The chords with more than the wanted votes that are stronger, in the total order, than the two
 that run parallel to them on either side, (s + 1, e - 1) and (s - 1, e + 1): fewer are lost than by
 SUPPRESS_RING where the votes are those of the cascade, which errs by more from one chord to the
 next than the lines nearby differ. */
-std::vector<Candidate> findParallelMaxima(const VoteTable& table, const Cell& frame, int threshold);
-
-//! Keeps the `count` strongest candidates, in no particular order.
-void keepStrongest(std::vector<Candidate>& candidates, size_t count);
+std::vector<Candidate> findParallelMaxima(const VoteTable& table, const Cell& frame,
+                                          const Wanted& wanted);
 
 } // namespace linespace
 } // namespace cv

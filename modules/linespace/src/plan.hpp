@@ -113,6 +113,7 @@ struct Raster
     int step;      //!< added to the remainder at each pixel, |step| <= modulus
     int modulus;
 
+    Raster() : xMajor(true), first(0), count(0), minor(0), remainder(0), step(0), modulus(1) {}
     Raster(const Cell& cell, Chord chord);
 
     /** The same without a carry, for loops that must be fast: the i-th pixel has the minor

@@ -4,7 +4,6 @@
 
 #include "selection.hpp"
 
-#include "chord_counter.hpp"
 #include "refine.hpp"
 
 #include <cmath>
@@ -62,28 +61,23 @@ private:
 class LineSelection
 {
 public:
-    LineSelection(const EdgeMap& edges, const Plan& plan, const SelectionRule& rule)
-        : plan_(plan), frame_(plan.frame()), rule_(rule), taken_(plan.imageSize(), rule.distance)
+    LineSelection(const EdgeMap& edges, const Plan& plan, const SelectionRule& rule,
+                  ChordCounter& counter)
+        : plan_(plan), frame_(plan.frame()), rule_(rule), left_(edges), counter_(counter),
+          taken_(plan.imageSize(), rule.distance)
     {
-        if (rule.explain)
-            left_ = makePtr<ChordCounter>(edges, frame_);
+        if (!rule.explain)
+            return;
+        left_.votes = edges.votes.clone();
+        left_.directions = edges.directions.clone();
     }
 
     std::vector<Selected> run(Queue& queue)
     {
-        while (!queue.empty() && chosen_.size() < rule_.most)
-        {
-            Waiting next = queue.pop();
-            // Votes only fall, so one that still has what it waited with is the strongest of all.
-            if (hasFallen(next))
-            {
-                const Candidate now = {next.left, next.candidate.s, next.candidate.e};
-                if (rule_.requirement.isMet(left_->edges(), plan_, now))
-                    queue.push(next);
-            }
-            else if (take(next.candidate) && rule_.explain)
-                explainBy(chosen_.back());
-        }
+        if (rule_.explain)
+            takeExplaining(queue);
+        else
+            takeInOrder(queue);
         std::sort(chosen_.begin(), chosen_.end(),
                   [](const Selected& a, const Selected& b)
                   { return isStronger(a.candidate, b.candidate); });
@@ -91,25 +85,118 @@ public:
     }
 
 private:
+    //! A candidate whose turn comes soon.
+    struct Prospect
+    {
+        Candidate candidate;
+        Line line; //!< of the chord
+        Ends ends;
+        bool isRefined;
+        FittedLine fitted;
+    };
+
+    bool isFull() const { return chosen_.size() >= rule_.most; }
+
+    void takeExplaining(Queue& queue)
+    {
+        while (!queue.empty() && !isFull())
+        {
+            Waiting next = queue.pop();
+            Prospect prospect;
+            // Votes only fall, so one that still has what it waited with is the strongest of all.
+            if (hasFallen(next))
+            {
+                const Candidate now = {next.left, next.candidate.s, next.candidate.e};
+                if (rule_.requirement.isMet(left_, plan_, now))
+                    queue.push(next);
+            }
+            else if (isProspect(next.candidate, prospect) && take(prospect))
+                explainBy(chosen_.back());
+        }
+    }
+
+    /** Refinement is most of the work, so some lines are refined at once, ahead of their turn. Whether
+    they are taken is decided one after the other. */
+    void takeInOrder(Queue& queue)
+    {
+        const size_t threads = std::max(1, getNumThreads()), most = threads > 1 ? 8 * threads : 1;
+        std::vector<Prospect> ahead;
+        std::vector<size_t> toRefine;
+        while (!queue.empty() && !isFull())
+        {
+            ahead.clear();
+            toRefine.clear();
+            while (!queue.empty() && ahead.size() < most &&
+                   toRefine.size() < rule_.most - chosen_.size())
+            {
+                Prospect prospect;
+                if (!isProspect(queue.pop().candidate, prospect))
+                    continue;
+                // A neighbour of one that is refined will hardly be taken.
+                if (!isNearOne(prospect, ahead, toRefine))
+                    toRefine.push_back(ahead.size());
+                ahead.push_back(prospect);
+            }
+            parallel_for_(Range(0, (int)toRefine.size()),
+                          [&](const Range& range)
+                          {
+                              for (int i = range.start; i < range.end; ++i)
+                                  refine(ahead[toRefine[i]]);
+                          });
+            for (size_t i = 0; i < ahead.size() && !isFull(); ++i)
+                if (!taken_.hasNear(ahead[i].line, ahead[i].ends))
+                    take(ahead[i]);
+        }
+    }
+
+    bool isNearOne(const Prospect& prospect, const std::vector<Prospect>& ahead,
+                   const std::vector<size_t>& which) const
+    {
+        for (size_t i = 0; i < which.size(); ++i)
+        {
+            const Line& other = ahead[which[i]].line;
+            const Point2d normal(std::cos(other.theta), std::sin(other.theta));
+            if (std::abs(normal.dot(prospect.ends.first) - other.rho) <= rule_.distance &&
+                std::abs(normal.dot(prospect.ends.second) - other.rho) <= rule_.distance)
+                return true;
+        }
+        return false;
+    }
+
     //! Recounts what is left of a candidate's votes; whether these are fewer than it waited with.
     bool hasFallen(Waiting& waiting) const
     {
-        if (!rule_.explain)
-            return false;
         const int before = waiting.left;
-        waiting.left = left_->votes(waiting.candidate.chord());
+        waiting.left = counter_.votes(waiting.candidate.chord());
         return waiting.left < before;
     }
 
-    //! Takes the candidate's line, refined, unless it is near one taken before or misses the image.
-    bool take(const Candidate& candidate)
+    //! Whether the chord's own line passes the image and is not near one taken before, which spares
+    //! the refinement of most.
+    bool isProspect(const Candidate& candidate, Prospect& prospect) const
     {
-        if (isNearTaken(lineOf(frame_, candidate.chord()))) // spares the refinement of most
+        prospect.candidate = candidate;
+        prospect.line = lineOf(frame_, candidate.chord());
+        prospect.isRefined = false;
+        return !isNearTaken(prospect.line, prospect.ends);
+    }
+
+    void refine(Prospect& prospect) const
+    {
+        prospect.fitted = rule_.refine(prospect.candidate.chord());
+        prospect.isRefined = true;
+    }
+
+    //! Takes the candidate's line, refined, unless it is near one taken before or misses the image.
+    bool take(Prospect& prospect)
+    {
+        if (!prospect.isRefined)
+            refine(prospect);
+        Ends ends;
+        if (isNearTaken(prospect.fitted.line, ends))
             return false;
-        const Selected selected = {candidate, rule_.refine(candidate.chord())};
-        if (isNearTaken(selected.fitted.line))
-            return false;
-        taken_.insert(selected.fitted.line);
+        taken_.insert(prospect.fitted.line);
+        const Selected selected = {prospect.candidate, prospect.fitted};
         chosen_.push_back(selected);
         return true;
     }
@@ -117,14 +204,19 @@ private:
     void explainBy(const Selected& selected)
     {
         const std::vector<Point> explained = explainedPixels(
-            left_->edges(), directionBit(frame_, selected.candidate.chord()), selected.fitted.line);
+            left_, directionBit(frame_, selected.candidate.chord()), selected.fitted.line);
         for (size_t i = 0; i < explained.size(); ++i)
-            left_->remove(explained[i]);
+        {
+            const Point pixel = explained[i];
+            counter_.remove(pixel);
+            left_.votes.ptr<uchar>(pixel.y)[pixel.x] = 0;
+            if (left_.isOriented())
+                left_.directions.ptr<ushort>(pixel.y)[pixel.x] = 0;
+        }
     }
 
-    bool isNearTaken(const Line& line) const
+    bool isNearTaken(const Line& line, Ends& ends) const
     {
-        Ends ends;
         return !clipLine(std::cos(line.theta), std::sin(line.theta), line.rho, plan_.imageSize(),
                          ends) ||
                taken_.hasNear(line, ends);
@@ -133,7 +225,8 @@ private:
     const Plan& plan_;
     const Cell frame_;
     const SelectionRule& rule_;
-    Ptr<ChordCounter> left_; // without what the lines taken explain
+    EdgeMap left_;          // with rule_.explain, without what the lines taken explain
+    ChordCounter& counter_; // of the same
     LineIndex taken_;
     std::vector<Selected> chosen_;
 };
@@ -141,10 +234,10 @@ private:
 } // namespace
 
 std::vector<Selected> selectLines(const EdgeMap& edges, const Plan& plan, const SelectionRule& rule,
-                                  const std::vector<Candidate>& candidates)
+                                  const std::vector<Candidate>& candidates, ChordCounter& counter)
 {
     Queue queue(candidates);
-    return LineSelection(edges, plan, rule).run(queue);
+    return LineSelection(edges, plan, rule, counter).run(queue);
 }
 
 } // namespace linespace

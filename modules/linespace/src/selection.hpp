@@ -7,6 +7,7 @@
 #ifndef OPENCV_LINESPACE_SELECTION_HPP
 #define OPENCV_LINESPACE_SELECTION_HPP
 
+#include "chord_counter.hpp"
 #include "line_covariance.hpp"
 #include "orientation.hpp"
 #include "peaks.hpp"
@@ -66,7 +67,7 @@ struct SelectionRule
     bool explain;    //!< SELECT_EXPLAIN
     double distance; //!< within which a line is a duplicate, pixels
     size_t most;     //!< lines to take
-    //! The line to report for a chord.
+    //! The line to report for a chord; called from several threads at once.
     std::function<FittedLine(Chord)> refine;
 };
 
@@ -77,9 +78,10 @@ lines.
 With rule.explain, the edge pixels along a line taken do not vote for the lines after it: the next
 line is the one with the most of the pixels that are left, and it must still meet the requirement.
 @param candidates with exact votes.
+@param counter of the map; with rule.explain, what is explained is taken out of it.
 @return in the total order of their votes among all edge pixels. */
 std::vector<Selected> selectLines(const EdgeMap& edges, const Plan& plan, const SelectionRule& rule,
-                                  const std::vector<Candidate>& candidates);
+                                  const std::vector<Candidate>& candidates, ChordCounter& counter);
 
 } // namespace linespace
 } // namespace cv

@@ -40,11 +40,9 @@ double workingMemory(const Plan& plan, bool weighted, bool oriented, int level)
         most[l % 2] = std::max(most[l % 2], bytes);
     }
     const double pixels = (double)plan.frame().width * plan.frame().height;
-    // Votes: a byte each, without and with the mask, in the back end's order, and twice in a
-    // ChordCounter, of which there is one at a time. Directions: two bytes each in all of these but
-    // the first; estimating them takes 11 bytes that are free before a ChordCounter is there.
-    // What the ascent remembers of the chords that it counted is not in the sum.
-    return most[0] + most[1] + (oriented ? 6 + 12 : 6) * pixels;
+    // Votes: a byte each, without and with the mask and in the back end's order. Directions: two
+    // bytes each in all of these but the first; estimating them takes 11 bytes for a while.
+    return most[0] + most[1] + (oriented ? 3 + 11 : 3) * pixels;
 }
 
 namespace {

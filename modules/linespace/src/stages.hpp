@@ -6,7 +6,8 @@
 // the memory order of what passes between them. A back end is an executor of one plan; it derives
 // no geometry of its own and decides nothing, so all give the same votes. Everything after the
 // candidates' votes (order, suppression, refinement) is host code that all share: peaks.hpp,
-// refine.hpp.
+// refine.hpp. So is what the ascent and the selection count exactly on their way (ascent.hpp,
+// chord_counter.hpp): rescore() serves candidates that do not climb.
 //
 // What a stage combines is a vote count, but nothing here depends on that beyond VoteTable::depth:
 // a later table may hold other monoids (for segments: best run, prefix, suffix, sum) in the same
@@ -126,7 +127,8 @@ Ptr<Executor> createCpuExecutor();       // cascade.dispatch.cpp
 void countVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, bool exact, int level,
                 VoteTable& spare, VoteTable& result);
 
-//! Bytes that countVotes needs for its two tables and its copies of the edge map.
+/** Bytes that countVotes needs for its two tables, and everybody for copies of the edge map, but for
+those of ChordCounter. */
 double workingMemory(const Plan& plan, bool weighted, bool oriented, int level);
 
 //! Votes of a chord of the frame on the edge map, of the pixels that vote for its bin; pixels

@@ -116,18 +116,16 @@ std::vector<Candidate> Selection::parallelMaxima(const std::vector<Candidate>& a
 Candidate Selection::climb(const Candidate& start, int radius) const
 {
     const int points = exact.rows;
-    for (int distance = 1; distance <= 2 * radius * radius; ++distance)
-        for (int i = -radius; i <= radius; ++i)
-            for (int j = -radius; j <= radius; ++j)
-            {
-                if (i * i + j * j != distance)
-                    continue;
-                const int p = (start.s + i + points) % points, q = (start.e + j + points) % points;
-                const Candidate neighbour = {std::min(p, q), std::max(p, q), exact(p, q)};
-                if (brute::isChord(frame, p, q) && brute::isStronger(neighbour, start))
-                    return climb(neighbour, radius);
-            }
-    return start;
+    Candidate best = start;
+    for (int i = -radius; i <= radius; ++i)
+        for (int j = -radius; j <= radius; ++j)
+        {
+            const int p = (start.s + i + points) % points, q = (start.e + j + points) % points;
+            const Candidate neighbour = {std::min(p, q), std::max(p, q), exact(p, q)};
+            if (brute::isChord(frame, p, q) && brute::isStronger(neighbour, best))
+                best = neighbour;
+        }
+    return best.s == start.s && best.e == start.e ? start : climb(best, radius);
 }
 
 } // namespace opencv_test

@@ -51,7 +51,7 @@ public:
 private:
     //! Those stronger than (s + 1, e - 1) and (s - 1, e + 1).
     std::vector<brute::Candidate> parallelMaxima(const std::vector<brute::Candidate>& all) const;
-    //! To the first stronger one of the ring neighbourhood, nearest first, while there is one.
+    //! To the strongest of the ring neighbourhood, until it is the chord itself.
     brute::Candidate climb(const brute::Candidate& start, int radius) const;
 
     bool climbs; //!< with the cascade, whose maxima need not be those of the exact votes

@@ -153,6 +153,31 @@ TEST_P(Linespace_Detect, pool)
         }
 }
 
+// Many strong chords from one border point say nothing of the others': the pool must be filled from
+// these all the same.
+TEST_P(Linespace_Detect, pool_of_a_fan)
+{
+    Mat1b edges = randomEdges(Size(64, 64), 0.05, 3);
+    for (int x = 0; x < 64; x += 4)
+        line(edges, Point(16, 0), Point(x, 63), Scalar(255));
+    const Selection selection(edges, method(), 4);
+    for (int size = 50; size <= 800; size *= 2)
+        for (int radius = 0; radius <= 3; radius += 3)
+        {
+            Ptr<LineSpaceDetector> detector = plain(3, 4);
+            detector->setPoolSize(size);
+            detector->setMaxLines(size / 16);
+            detector->setSuppressionRadius(radius);
+            std::vector<Candidate> expected =
+                selection.select(3, 0, radius ? THIN_RING : THIN_NOT, radius, size);
+            expected.resize(std::min(expected.size(), (size_t)size / 16));
+            expectChords(detectLines(*detector, edges), expected, selection.frame,
+                         format("pool %d, radius %d", size, radius));
+            if (HasFatalFailure())
+                return;
+        }
+}
+
 TEST_P(Linespace_Detect, max_lines_takes_the_first_of_all)
 {
     const Mat1b edges = smallScene(2);
@@ -450,6 +475,30 @@ TEST_P(Linespace_Detect, edge_weights)
         detector->setEdgeWeights(true);
         expectChords(detectLines(*detector, edges), selection.select(thresholds[i], 0, THIN_NOT, 0),
                      selection.frame, format("threshold %d", thresholds[i]));
+        if (HasFatalFailure())
+            return;
+    }
+}
+
+// Chords longer than the sums of bytes and shorts last, of all kinds: candidates climb on exact
+// votes that are counted for many chords at once.
+TEST_P(Linespace_Detect, long_chords)
+{
+    const Size sizes[] = {Size(280, 10), Size(10, 280), Size(40, 31)};
+    const double densities[] = {0.6, 0.97, 1};
+    for (int i = 0; i < 18; ++i)
+    {
+        const Size size = sizes[i % 3];
+        const bool weighted = i / 3 % 2 == 1;
+        const Mat1b edges = i / 6 == 2 ? whiteEdges(size) : randomEdges(size, densities[i / 6], i);
+        const Selection selection(edges, method(), 4, weighted);
+        Ptr<LineSpaceDetector> detector =
+            plain(std::max(size.width, size.height) / 2 * (weighted ? 128 : 1), 4);
+        detector->setEdgeWeights(weighted);
+        detector->setSuppressionRadius(2);
+        expectChords(detectLines(*detector, edges),
+                     selection.select(detector->getThreshold(), 0, THIN_RING, 2), selection.frame,
+                     format("%d x %d, case %d", size.width, size.height, i));
         if (HasFatalFailure())
             return;
     }

@@ -149,6 +149,36 @@ protected:
     int method() const { return get<1>(GetParam()); }
 };
 
+// Neighbours of a chord may be in the next bin, whose bits are in the other byte.
+TEST_P(Linespace_Oriented, candidates_climb)
+{
+    const Size sizes[] = {Size(46, 37), Size(270, 12), Size(12, 270)};
+    for (int i = 0; i < 6; ++i)
+    {
+        const Size size = sizes[i % 3];
+        const bool weighted = i >= 3;
+        const double tolerance = 61.5;
+        const Mat1b edges = randomEdges(size, 0.8, i);
+        const Gradient gradient = randomGradient(size, CV_16SC1, i, tolerance);
+        const Selection selection(edges, method(), 4, weighted,
+                                  brute::directions(gradient.dx, gradient.dy, tolerance));
+        Ptr<LineSpaceDetector> detector = createPlain(method(), 4, backend());
+        detector->setOrientationTolerance(tolerance);
+        detector->setEdgeWeights(weighted);
+        for (int radius = 1; radius <= 2; ++radius)
+        {
+            detector->setSuppressionRadius(radius);
+            detector->setThreshold(std::max(size.width, size.height) / 4 * (weighted ? 128 : 1));
+            expectChords(detectOriented(*detector, edges, gradient.dx, gradient.dy),
+                         selection.select(detector->getThreshold(),
+                                          method() == METHOD_EXACT ? 1 : 0, THIN_RING, radius),
+                         selection.frame, format("case %d, radius %d", i, radius));
+            if (HasFatalFailure())
+                return;
+        }
+    }
+}
+
 TEST_P(Linespace_Oriented, every_chord_above_the_threshold)
 {
     const double tolerances[] = {2, 22.5, 61.5, 90};
