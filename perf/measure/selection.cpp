@@ -14,6 +14,7 @@
 #include "opencv2/ximgproc.hpp"
 
 #include <iomanip>
+#include <limits>
 
 namespace measure {
 
@@ -56,12 +57,13 @@ std::function<void()> detection(const Input& input, int threshold, int selection
 void writeSelection(std::ostream& out, const Settings& settings)
 {
     const cv::Size size(512, 512);
-    const int threshold = size.width / 10, nothing = size.width + 1;
+    const int threshold = size.width / 10, nothing = std::numeric_limits<int>::max();
     out << "## From votes to lines\n\n"
         << size.width << " x " << size.height << ", milliseconds, medians of " << settings.runs
         << " runs in turn. *Lines*: what `detect` for the 100 strongest lines above " << threshold
-        << " votes takes longer than for lines above " << nothing
-        << ", of which there are none: candidates, exact votes, selection and refinement. FHT is "
+        << " votes takes longer than the votes alone (a threshold that nothing can exceed): "
+           "candidates, "
+           "exact votes, selection and refinement. FHT is "
            "cv::ximgproc::FastHoughTransform, the transform alone.\n\n"
            "| image | threads | votes, selection | detect | lines | FHT | lines / FHT | detect / "
            "FHT |\n"

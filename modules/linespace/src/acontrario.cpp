@@ -35,7 +35,7 @@ public:
             none[v] = (1 - begin_) * staysOut + begin_ * comesIn;
             edge[v] = (1 - persistence_) * staysOut + persistence_ * comesIn;
         }
-        while (edge[top_] < negligible_) // the larger one; spares most of the work
+        while (top_ > 0 && edge[top_] < negligible_) // the larger one; spares most of the work
         {
             none[top_] = edge[top_] = 0;
             --top_;
@@ -58,10 +58,12 @@ private:
 std::vector<int> significantVotes(int maxLength, double density, double tests, double falseAlarms)
 {
     std::vector<int> votes(maxLength + 1);
+    if (tests < falseAlarms) // so many chords do not alarm so often
+        return votes;
     if (density >= 1)
     {
         for (int length = 0; length <= maxLength; ++length)
-            votes[length] = tests < falseAlarms ? 0 : length + 1;
+            votes[length] = length + 1;
         return votes;
     }
     const double chance = falseAlarms / tests;

@@ -15,7 +15,7 @@ namespace linespace {
 
 /** The smallest significant numbers of votes. By chance, the pixels along a chord are a Markov
 chain: one is an edge pixel with probability `density`, and the one after an edge pixel with at
-least 0.7, because edge detectors give chains of pixels where there is no line, too.
+least 0.75, because edge detectors give chains of pixels where there is no line, too.
 @param maxLength longest chord in pixels, >= 0.
 @param density probability that a pixel is an edge pixel, in [0, 1].
 @param tests number of chords that are looked at, >= 1.

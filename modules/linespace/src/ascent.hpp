@@ -18,7 +18,7 @@ enum
     MAX_ASCENT_RADIUS = 2 //!< a larger neighbourhood costs more counts than it finds lines
 };
 
-/** Moves candidates to maxima of the exact votes: to the strongest chord, in the total order, of the
+/** Moves candidates to maxima of the exact votes: to the strongest chord in the total order of the
 (2 radius + 1)^2 ring neighbourhood, and so on until none is stronger.
 @param radius 1 to MAX_ASCENT_RADIUS.
 @param strips of the counter and the frame, reset.

@@ -40,8 +40,14 @@ void exactRow(const Cell& frame, int s, const ExactMaps& maps, void* votes, int 
     CV_CPU_DISPATCH(exactRow, (frame, s, maps, votes, depth), CV_CPU_DISPATCH_MODES_ALL);
 }
 
-const size_t CELLS_PER_TASK =
-    1024; // of level 0: the planes of so many cells stay in a second-level cache
+//! Cells of level 0 that a task takes: their planes stay in a second-level cache.
+size_t cellsPerTask(const Cell& cell)
+{
+    const size_t planes = (size_t)cell.width * cell.height;
+    return std::max<size_t>(64, ((size_t)1 << 16) / planes);
+}
+
+const int FIRST_ROWS_PER_TASK = 4; // of level 0
 const int ROWS_PER_TASK = 16;
 
 int taskCount(size_t items, size_t itemsPerTask)
@@ -67,20 +73,26 @@ public:
     {
         makePlanes(edges, plan);
         const Cell cell = plan.level(0).cell;
-        const std::vector<ChordPlanes> chords = chordPlanes(cell, edges.isOriented());
-        const size_t tasksOfCells = taskCount(table.cells, CELLS_PER_TASK);
-        // Chords of one bin, or a part of all, in one task.
-        const int parts = edges.isOriented() ? DIRECTION_BINS : 8;
-        parallel_for_(Range(0, (int)tasksOfCells * parts),
+        const size_t perTask = cellsPerTask(cell);
+        const int tasksOfCells = taskCount(table.cells, perTask);
+        // The chords of one bin, or those of some rows.
+        const std::vector<uchar> bins = edges.isOriented() ? binsOf(cell) : std::vector<uchar>();
+        const int parts = edges.isOriented()
+                              ? DIRECTION_BINS
+                              : taskCount(cell.firstPoint(SIDE_LEFT), FIRST_ROWS_PER_TASK);
+        parallel_for_(Range(0, tasksOfCells * parts),
                       [&](const Range& range)
                       {
                           Buffer chosen;
                           for (int task = range.start; task < range.end; ++task)
                           {
-                              const size_t begin = task / parts * CELLS_PER_TASK;
+                              const size_t begin = task / parts * perTask;
                               const Range block((int)begin,
-                                                (int)std::min(begin + CELLS_PER_TASK, table.cells));
-                              countChords(edges, cell, chords, task % parts, block, chosen, table);
+                                                (int)std::min(begin + perTask, table.cells));
+                              if (edges.isOriented())
+                                  countBin(cell, bins, task % parts, block, chosen, table);
+                              else
+                                  countRows(cell, task % parts * FIRST_ROWS_PER_TASK, block, table);
                           }
                       });
     }
@@ -135,61 +147,67 @@ public:
     }
 
 private:
-    //! A chord of level 0: its place in the table, and the planes of its pixels.
-    struct ChordPlanes
+    //! The bins of all chords of a cell, by their indices.
+    static std::vector<uchar> binsOf(const Cell& cell)
     {
-        size_t index;
-        int part; //!< the chord's bin if the map is oriented, else one of 8 equal parts
-        std::vector<int> planes;
-    };
-
-    static std::vector<ChordPlanes> chordPlanes(const Cell& cell, bool isOriented)
-    {
-        std::vector<ChordPlanes> chords;
+        std::vector<uchar> bins(cell.chordCount());
         for (int s = 0; s < cell.firstPoint(SIDE_LEFT); ++s)
             for (int e = cell.firstPartner(cell.sideOf(s)); e < cell.borderCount(); ++e)
             {
                 const Chord chord = {s, e};
-                ChordPlanes next;
-                next.index = cell.chordIndex(s, e);
-                next.part = isOriented ? directionBin(cell, chord) : (int)chords.size() % 8;
-                Raster(cell, chord)
-                    .forEachPixel([&](int x, int y) { next.planes.push_back(y * cell.width + x); });
-                chords.push_back(next);
+                bins[cell.chordIndex(s, e)] = (uchar)directionBin(cell, chord);
             }
-        return chords;
+        return bins;
     }
 
-    //! The votes of one part of the chords of level 0, of a block of cells.
-    void countChords(const EdgeMap& edges, const Cell& cell, const std::vector<ChordPlanes>& chords,
-                     int part, const Range& block, Buffer& chosen, VoteTable& table) const
+    //! The votes of the chords of one bin of level 0, of a block of cells.
+    void countBin(const Cell& cell, const std::vector<uchar>& bins, int bin, const Range& block,
+                  Buffer& chosen, VoteTable& table) const
     {
+        // The pixels that vote for the bin, once for all its chords.
         const size_t cells = table.cells, planes = (size_t)cell.width * cell.height;
+        chosen.allocate(planes * block.size());
         const uchar* own = planes_.data() + block.start;
-        size_t distance = cells; // from one plane to the next
-        if (edges.isOriented())
-        {
-            // Those that vote for the bin, once for all its chords.
-            chosen.allocate(planes * block.size());
-            const uchar* bits = directionPlanes_.data() + part / 8 * planes * cells + block.start;
-            for (size_t i = 0; i < planes; ++i)
-                choosePixels(own + i * cells, bits + i * cells, (uchar)(1 << part % 8),
-                             block.size(), chosen.data() + i * block.size());
-            own = chosen.data();
-            distance = block.size();
-        }
+        const uchar* bits = directionPlanes_.data() + bin / 8 * planes * cells + block.start;
+        for (size_t i = 0; i < planes; ++i)
+            choosePixels(own + i * cells, bits + i * cells, (uchar)(1 << bin % 8), block.size(),
+                         chosen.data() + i * block.size());
         std::vector<const uchar*> pixels(std::max(cell.width, cell.height));
-        for (size_t i = 0; i < chords.size(); ++i)
-        {
-            const ChordPlanes& chord = chords[i];
-            if (chord.part != part)
-                continue;
-            for (size_t p = 0; p < chord.planes.size(); ++p)
-                pixels[p] = own + chord.planes[p] * distance;
-            addPlanes(pixels.data(), (int)chord.planes.size(), block.size(),
-                      table.buffer.data() + (chord.index * cells + block.start) * table.depth,
-                      table.depth);
-        }
+        for (int s = 0; s < cell.firstPoint(SIDE_LEFT); ++s)
+            for (int e = cell.firstPartner(cell.sideOf(s)); e < cell.borderCount(); ++e)
+                if (bins[cell.chordIndex(s, e)] == bin)
+                {
+                    const Chord chord = {s, e};
+                    countChord(cell, chord, chosen.data(), block.size(), block, pixels, table);
+                }
+    }
+
+    //! The votes of the chords of some rows of level 0, of a block of cells.
+    void countRows(const Cell& cell, int first, const Range& block, VoteTable& table) const
+    {
+        std::vector<const uchar*> pixels(std::max(cell.width, cell.height));
+        const int end = std::min(first + FIRST_ROWS_PER_TASK, cell.firstPoint(SIDE_LEFT));
+        for (int s = first; s < end; ++s)
+            for (int e = cell.firstPartner(cell.sideOf(s)); e < cell.borderCount(); ++e)
+            {
+                const Chord chord = {s, e};
+                countChord(cell, chord, planes_.data() + block.start, table.cells, block, pixels,
+                           table);
+            }
+    }
+
+    //! @param planes the first plane of the block; the next one is `distance` bytes on.
+    static void countChord(const Cell& cell, Chord chord, const uchar* planes, size_t distance,
+                           const Range& block, std::vector<const uchar*>& pixels, VoteTable& table)
+    {
+        int n = 0;
+        Raster(cell, chord)
+            .forEachPixel([&](int x, int y)
+                          { pixels[n++] = planes + ((size_t)y * cell.width + x) * distance; });
+        addPlanes(pixels.data(), n, block.size(),
+                  table.buffer.data() +
+                      (cell.chordIndex(chord.s, chord.e) * table.cells + block.start) * table.depth,
+                  table.depth);
     }
 
     /** Sorts the edge pixels by their place in the cell: plane y width + x holds pixel (x, y) of

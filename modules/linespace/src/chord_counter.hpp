@@ -36,7 +36,8 @@ public:
         MOST_NEAR = 32
     };
     /** Votes of chords whose ends are within two border points of those of `middle`, in either
-    order; a little more than the time of one for all. `middle` need not be one of them. */
+    order; with AVX2, for chords of up to 8000 pixels, a little more than the time of one for all,
+    else one after the other. `middle` need not be one of them. */
     void countNear(Chord middle, const Chord* chords, int count, int* votes) const;
 
     enum

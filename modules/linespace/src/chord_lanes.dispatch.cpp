@@ -10,7 +10,12 @@
 namespace cv {
 namespace linespace {
 
-bool countChordLanes(const ChordLanes& lanes, const LaneMap& map, int* votes)
+bool hasChordLanes()
+{
+    CV_CPU_DISPATCH(hasLanes, (), CV_CPU_DISPATCH_MODES_ALL);
+}
+
+void countChordLanes(const ChordLanes& lanes, const LaneMap& map, int* votes)
 {
     CV_CPU_DISPATCH(countLanes, (lanes, map, votes), CV_CPU_DISPATCH_MODES_ALL);
 }

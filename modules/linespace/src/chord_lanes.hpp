@@ -56,9 +56,11 @@ struct LaneMap
     static int belowFor(bool guideFalls) { return ChordLanes::REACH + (guideFalls ? +RUN : +BACK); }
 };
 
-/** Adds each lane's votes to votes[lane].
-@return false, with nothing done, if the machine's instruction set is not worth it. */
-bool countChordLanes(const ChordLanes& lanes, const LaneMap& map, int* votes);
+//! Whether the machine's instruction set is worth it.
+bool hasChordLanes();
+
+//! Adds each lane's votes to votes[lane]; only if hasChordLanes().
+void countChordLanes(const ChordLanes& lanes, const LaneMap& map, int* votes);
 
 } // namespace linespace
 } // namespace cv

@@ -21,9 +21,11 @@ namespace linespace {
 
 CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 
-/** Adds each lane's votes in map.columns columns to votes[lane].
-@return false, with nothing done, if this instruction set is not worth it. */
-bool countLanes(const ChordLanes& lanes, const LaneMap& map, int* votes);
+//! Whether this instruction set is worth it.
+bool hasLanes();
+
+//! Adds each lane's votes in map.columns columns to votes[lane].
+void countLanes(const ChordLanes& lanes, const LaneMap& map, int* votes);
 
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
 
@@ -144,20 +146,29 @@ void countLanesOf(const ChordLanes& lanes, const LaneMap& map, int* votes)
 
 } // namespace
 
-bool countLanes(const ChordLanes& lanes, const LaneMap& map, int* votes)
+bool hasLanes()
+{
+    return true;
+}
+
+void countLanes(const ChordLanes& lanes, const LaneMap& map, int* votes)
 {
     if (map.bits)
         (map.weighted ? countLanesOf<true, true> : countLanesOf<false, true>)(lanes, map, votes);
     else
         (map.weighted ? countLanesOf<true, false> : countLanesOf<false, false>)(lanes, map, votes);
-    return true;
 }
 
 #else
 
-bool countLanes(const ChordLanes&, const LaneMap&, int*)
+bool hasLanes()
 {
     return false;
+}
+
+void countLanes(const ChordLanes&, const LaneMap&, int*)
+{
+    CV_Error(Error::StsInternal, "hasChordLanes() is false");
 }
 
 #endif // CV_AVX2

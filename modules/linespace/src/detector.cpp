@@ -424,8 +424,8 @@ private:
         return exact ? Plan::exact(size) : Plan::cascaded(size, parameters_.cellSize);
     }
 
-    //! Bytes that lines need after the votes, but for the candidates themselves if all are asked for:
-    //! how many there are is known too late.
+    //! Bytes that lines need after the votes, but for the candidates themselves if all are asked
+    //! for: how many there are is known too late.
     double selectionBytes(const Plan& plan, bool oriented) const
     {
         const double counter =
@@ -439,7 +439,8 @@ private:
     //! Candidates that are counted exactly.
     size_t poolSize() const
     {
-        return std::max<size_t>(parameters_.poolSize, 16 * (size_t)parameters_.maxLines);
+        const int64 most = std::max<int64>(parameters_.poolSize, 16 * (int64)parameters_.maxLines);
+        return (size_t)std::min<int64>(most, INT_MAX); // where size_t has 32 bits
     }
 
     void checkMemory(const Plan& plan, bool oriented, int level, double resultBytes) const
@@ -642,9 +643,7 @@ private:
         Wanted wanted;
         wanted.threshold = minVotes;
         wanted.most =
-            !exact && parameters_.maxLines > 0
-                ? std::max<size_t>(parameters_.poolSize, 16 * (size_t)parameters_.maxLines)
-                : std::numeric_limits<size_t>::max();
+            !exact && parameters_.maxLines > 0 ? poolSize() : std::numeric_limits<size_t>::max();
         if (!requirement.pixels.empty() || !angles.isFull())
             wanted.accepts = [&](const Candidate& candidate)
             {

@@ -145,8 +145,8 @@ bool LineIndex::hasNear(const Line& line, const Ends& ends) const
     for (int offset = -reach; offset < reach + (reach < ANGLE_BINS / 2); ++offset)
     {
         const int angle = ((centreBin + offset) % ANGLE_BINS + ANGLE_BINS) % ANGLE_BINS;
-        // The distance at the centre of the image, at any angle of the bin, differs from that of the
-        // middle by the slack at most.
+        // The distance at the centre of the image, at any angle of the bin, differs from that of
+        // the middle by the slack at most.
         const double theta = (angle + 0.5) * binWidth;
         const double at = middle.x * std::cos(theta) + middle.y * std::sin(theta);
         const double slack = distance_ + std::sqrt(middle.dot(middle)) * binWidth + 1e-6;

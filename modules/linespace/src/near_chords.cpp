@@ -104,8 +104,7 @@ bool ChordCounter::countLanes(const Raster& guide, const Range& columns, const R
         map.votes = uses(VOTES) ? planes[VOTES].row(columns.start) : 0;
         map.bits = oriented_ ? planes[p].row(columns.start) : 0;
         map.stride = planes[p].stride;
-        if (!countChordLanes(lanes, map, votes))
-            return false;
+        countChordLanes(lanes, map, votes);
     }
 
     for (int i = 0; i < count; ++i)
@@ -120,11 +119,12 @@ bool ChordCounter::countLanes(const Raster& guide, const Range& columns, const R
 
 void ChordCounter::countNear(Chord middle, const Chord* chords, int count, int* votes) const
 {
+    static_assert((int)MOST_NEAR <= (int)ChordLanes::COUNT, "a lane for each chord");
     CV_DbgAssert(count <= MOST_NEAR);
     const Raster guide(frame_, middle);
     Raster rasters[MOST_NEAR];
     int bins[MOST_NEAR], where[MOST_NEAR], sums[ChordLanes::COUNT];
-    const bool fits = guide.modulus <= SHRT_MAX - 64;
+    const bool fits = hasChordLanes() && guide.modulus <= SHRT_MAX - 64;
     int begin = guide.first, end = guide.first + guide.count, together = 0;
     for (int i = 0; i < count; ++i)
     {

@@ -176,6 +176,8 @@ void ChordCounter::countParallel(const ParallelChords* chords, int count, int* v
         {
             ParallelWalk& walk = walks[i];
             const int now = std::min(columns, walk.left);
+            if (now <= 0) // not started, or done
+                continue;
             sum(walk.steps, now, walk.values, walk.bits, walk.bit, votes + i * PARALLEL);
             walk.left -= now;
         }

@@ -139,7 +139,7 @@ void keepStrongest(std::vector<Candidate>& candidates, size_t count)
     candidates.resize(count);
 }
 
-/** The local maxima of a table, whatever the neighbourhood is: isInner(entry, length of a row) where
+/** The local maxima of a table, for any neighbourhood: isInner(entry, length of a row) where
 that of the radius lies within whole rows, isMaximum(candidate) elsewhere. */
 template<class Votes, class IsInner, class IsMaximum>
 class Maxima

@@ -172,8 +172,10 @@ bool fitEdgePixels(const EdgeMap& edges, ushort bit, const FittedLine& line, Fit
             break;
         last = moments;
     }
+    if (last.n == 0)
+        return false;
     covarianceOf(edges.votes.size(), supporters, fitted.line, fitted.covariance);
-    return last.n > 0;
+    return true;
 }
 
 /** Takes a fit of the line between two ends, if it moves these by TOO_FAR at most: as it is, or if

@@ -93,6 +93,7 @@ private:
         Ends ends;
         bool isRefined;
         FittedLine fitted;
+        Prospect() : candidate(), line(), ends(), isRefined(false), fitted() {}
     };
 
     bool isFull() const { return chosen_.size() >= rule_.most; }
@@ -115,8 +116,8 @@ private:
         }
     }
 
-    /** Refinement is most of the work, so some lines are refined at once, ahead of their turn. Whether
-    they are taken is decided one after the other. */
+    /** Refinement is most of the work, so some lines are refined at once, ahead of their turn.
+    Whether they are taken is decided one after the other. */
     void takeInOrder(Queue& queue)
     {
         const size_t threads = std::max(1, getNumThreads()), most = threads > 1 ? 8 * threads : 1;

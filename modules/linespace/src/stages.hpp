@@ -127,8 +127,8 @@ Ptr<Executor> createCpuExecutor();       // cascade.dispatch.cpp
 void countVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, bool exact, int level,
                 VoteTable& spare, VoteTable& result);
 
-/** Bytes that countVotes needs for its two tables, and everybody for copies of the edge map, but for
-those of ChordCounter. */
+/** Bytes that countVotes needs for its two tables, and everybody for copies of the edge map, but
+for those of ChordCounter. */
 double workingMemory(const Plan& plan, bool weighted, bool oriented, int level);
 
 //! Votes of a chord of the frame on the edge map, of the pixels that vote for its bin; pixels

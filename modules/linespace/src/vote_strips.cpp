@@ -32,7 +32,7 @@ double VoteStrips::memory(const Cell& frame)
 double VoteStrips::stripMemory(const Cell& frame, double strips)
 {
     // A vector that grows holds its old contents as well for a moment.
-    return std::min(strips, stripCount(frame)) * 3 * PARALLEL * sizeof(int);
+    return std::min(strips, stripCount(frame)) * 2 * PARALLEL * sizeof(int);
 }
 
 void VoteStrips::clear()
@@ -96,6 +96,7 @@ void VoteStrips::countWanted()
     if (wanted_.empty())
         return;
     const size_t before = votes_.size();
+    votes_.reserve(before + wanted_.size() * PARALLEL); // not more; it is asked for a few times
     votes_.resize(before + wanted_.size() * PARALLEL);
     // Strips that were asked for together are near one another.
     const int atOnce = ChordCounter::MOST_PARALLEL;

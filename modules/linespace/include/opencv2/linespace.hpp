@@ -246,10 +246,11 @@ public:
     CV_WRAP virtual void setEdgeWeights(bool edgeWeights) = 0;
     CV_WRAP virtual bool getEdgeWeights() const = 0;
 
-    /** Most memory in MiB that the tables of votes of one call may take, with the edge map's copies
-    and the output of compute and computeLevel, >= 1; a size that needs more is refused with an
-    exception before anything is allocated. Lists of candidates come on top: 12 bytes for each chord
-    that survives the suppression. Default 8192. */
+    /** Most memory in MiB that the tables of votes of one call may take, with the edge map's
+    copies, exact votes of candidates and the output of compute and computeLevel, >= 1; a size that
+    needs more is refused with an exception before anything is allocated. With maxLines = 0, lists
+    of candidates come on top: some 50 bytes for each chord that survives the suppression.
+    Default 8192. */
     CV_WRAP virtual void setMemoryLimit(int mebibytes) = 0;
     CV_WRAP virtual int getMemoryLimit() const = 0;
 };
