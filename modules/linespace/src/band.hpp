@@ -7,8 +7,9 @@
 #ifndef OPENCV_LINESPACE_BAND_HPP
 #define OPENCV_LINESPACE_BAND_HPP
 
+#include "edge_planes.hpp"
 #include "line_geometry.hpp"
-#include "stages.hpp"
+#include "vectors.hpp"
 
 #include <cmath>
 
@@ -18,6 +19,40 @@ namespace linespace {
 //! Edge pixels within this many pixels of a line support it: half a pixel is the chord's raster,
 //! half is that of the edge's own line.
 const double SUPPORT_DISTANCE = 1;
+
+//! Which edge pixels can support the line of a chord: those that carry the bit of its bin.
+class Support
+{
+public:
+    enum
+    {
+        WINDOW = EdgePlanes::MARGIN //!< pixels that are read at once
+    };
+    Support(const EdgePlanes& planes, ushort bit, bool xMajor)
+        : plane_(planes.across(xMajor)[!planes.isOriented() ? EdgePlanes::VOTES
+                                       : bit < 256          ? EdgePlanes::LOW_BITS
+                                                            : EdgePlanes::HIGH_BITS]),
+          bits_(!planes.isOriented() ? 255 : (uchar)(bit < 256 ? bit : bit >> 8))
+    {
+    }
+    //! Bit b is that of pixel k + b of column i.
+    int at(int i, int k) const
+    {
+        const uchar* const pixels = plane_.row(i) + k;
+#if CV_SIMD128
+        return v_signmask((v_load(pixels) & v_setall_u8(bits_)) != v_setzero_u8());
+#else
+        int mask = 0;
+        for (int b = 0; b < WINDOW; ++b)
+            mask |= ((pixels[b] & bits_) != 0) << b;
+        return mask;
+#endif
+    }
+
+private:
+    EdgePlanes::Plane plane_;
+    uchar bits_;
+};
 
 /** The columns of an image that a line passes, or its rows if it is steeper than a diagonal: steps
 along the major axis. */
@@ -57,48 +92,26 @@ struct Columns
                      (int)std::min(std::max(last + 1, 0.), (double)length));
     }
 
-    //! Calls visit(i, k) for the pixels of the image whose centre is within a distance of the line.
+    /** Calls visit(i, k, mask) for the columns with supporting pixels within a distance of the line:
+    bit b of the mask is that of pixel k + b of column i. */
     template<class Visit>
-    void forEachWithin(double distance, Visit visit) const
+    void forEachWithin(double distance, const Support& support, Visit visit) const
     {
         const double along = distance / std::abs(minor);
+        CV_DbgAssert(2 * along < Support::WINDOW - 1);
         const Range range = within(distance);
         for (int i = range.start; i < range.end; ++i)
         {
             const double middle = centre(i);
             const int first = std::max(0, cvCeil(middle - along)),
                       last = std::min(limit - 1, cvFloor(middle + along));
-            for (int k = first; k <= last; ++k)
-                visit(i, k);
+            if (first > last)
+                continue;
+            const int mask = support.at(i, first) & ((2 << (last - first)) - 1);
+            if (mask != 0)
+                visit(i, first, mask);
         }
     }
-};
-
-//! Which edge pixels can support the line of a chord: those that carry the bit of its bin.
-class Support
-{
-public:
-    Support(const EdgeMap& edges, ushort bit, const Columns& columns)
-        : votes_(edges.votes.ptr<uchar>()),
-          directions_(edges.isOriented() ? edges.directions.ptr<ushort>() : 0), bit_(bit),
-          alongStep_(columns.xMajor ? 1 : edges.votes.cols),
-          acrossStep_(columns.xMajor ? edges.votes.cols : 1)
-    {
-        CV_DbgAssert(edges.votes.isContinuous() &&
-                     (!directions_ || edges.directions.isContinuous()));
-    }
-    //! Pixel k of column i.
-    bool has(int i, int k) const
-    {
-        const size_t pixel = i * alongStep_ + k * acrossStep_;
-        return votes_[pixel] != 0 && (!directions_ || (directions_[pixel] & bit_));
-    }
-
-private:
-    const uchar* votes_;
-    const ushort* directions_; // 0: of all directions
-    ushort bit_;
-    size_t alongStep_, acrossStep_;
 };
 
 } // namespace linespace

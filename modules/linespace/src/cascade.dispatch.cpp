@@ -66,7 +66,7 @@ public:
         directionPlanes_.release();
         transposed_.release();
         directionsTransposed_.release();
-        counter_.clear();
+        edgePlanes_.clear();
     }
 
     void firstCells(const EdgeMap& edges, const Plan& plan, VoteTable& table) CV_OVERRIDE
@@ -135,14 +135,15 @@ public:
                  std::vector<int>& votes) CV_OVERRIDE
     {
         votes.resize(chords.size());
-        counter_.reset(edges, plan.frame());
+        edgePlanes_.reset(edges, plan.frame());
+        const ChordCounter counter(edgePlanes_);
         const size_t perTask = 64;
         parallel_for_(Range(0, taskCount(chords.size(), perTask)),
                       [&](const Range& range)
                       {
                           const size_t end = std::min(chords.size(), range.end * perTask);
                           for (size_t i = range.start * perTask; i < end; ++i)
-                              votes[i] = counter_.votes(chords[i]);
+                              votes[i] = counter.votes(chords[i]);
                       });
     }
 
@@ -268,7 +269,7 @@ private:
     }
 
     Buffer planes_, directionPlanes_, transposed_, directionsTransposed_;
-    ChordCounter counter_;
+    EdgePlanes edgePlanes_; // of rescore
 };
 
 } // namespace

@@ -35,88 +35,40 @@ int sumAlong(const Raster& raster, ptrdiff_t stride, Vote vote)
 
 } // namespace
 
-double ChordCounter::memory(const Cell& frame, bool weighted, bool oriented)
-{
-    const double w = frame.width, h = frame.height;
-    const double plane = (w + MARGIN) * h + (h + MARGIN) * w + 2 * MARGIN;
-    return plane * ((oriented ? 2 : 0) + (weighted || !oriented ? 1 : 0));
-}
-
-void ChordCounter::clear()
-{
-    for (int i = 0; i < PLANES; ++i)
-    {
-        upright_[i].buffer.release();
-        transposed_[i].buffer.release();
-    }
-}
-
-void ChordCounter::reset(const EdgeMap& edges, const Cell& frame)
-{
-    frame_ = frame;
-    oriented_ = edges.isOriented();
-    weighted_ = edges.weighted;
-    const Size image = edges.votes.size();
-    for (int i = 0; i < PLANES; ++i)
-    {
-        if (!uses(i))
-            continue;
-        Plane* const planes[2] = {&upright_[i], &transposed_[i]};
-        const int widths[2] = {frame.width, frame.height}, heights[2] = {frame.height, frame.width};
-        Mat inner[2];
-        for (int k = 0; k < 2; ++k)
-        {
-            Plane& plane = *planes[k];
-            plane.stride = (ptrdiff_t)widths[k] + MARGIN;
-            const size_t size = plane.stride * heights[k] + MARGIN;
-            plane.buffer.allocate(size);
-            std::fill(plane.buffer.data(), plane.buffer.data() + size, (uchar)0);
-            inner[k] = Mat(k == 0 ? image.height : image.width, k == 0 ? image.width : image.height,
-                           CV_8UC1, plane.row(0), plane.stride);
-        }
-        if (i == VOTES)
-            edges.votes.copyTo(inner[0]);
-        else
-            for (int y = 0; y < image.height; ++y)
-            {
-                const ushort* bits = edges.directions.ptr<ushort>(y);
-                uchar* out = upright_[i].row(y);
-                for (int x = 0; x < image.width; ++x)
-                    out[x] = (uchar)(i == LOW_BITS ? bits[x] : bits[x] >> 8);
-            }
-        transpose(inner[0], inner[1]);
-    }
-}
-
 int ChordCounter::votes(Chord chord) const
 {
     const Raster raster(frame_, chord);
-    const Plane* const planes = raster.xMajor ? upright_ : transposed_;
-    if (!oriented_)
+    const EdgePlanes::Plane* const planes = planes_.along(raster.xMajor);
+    if (!planes_.isOriented())
     {
-        const uchar* const values = planes[VOTES].row(0);
-        return sumAlong(raster, planes[VOTES].stride,
+        const uchar* const values = planes[EdgePlanes::VOTES].row(0);
+        return sumAlong(raster, planes[EdgePlanes::VOTES].stride,
                         [=](ptrdiff_t pixel) { return values[pixel]; });
     }
     const int bin = directionBin(frame_, chord), shift = bin % 8;
-    const Plane& own = planes[bin < 8 ? LOW_BITS : HIGH_BITS];
+    const EdgePlanes::Plane& own = planes[bin < 8 ? EdgePlanes::LOW_BITS : EdgePlanes::HIGH_BITS];
     const uchar* const bits = own.row(0);
-    if (!weighted_)
+    if (!planes_.isWeighted())
         return sumAlong(raster, own.stride,
                         [=](ptrdiff_t pixel) { return bits[pixel] >> shift & 1; });
-    const uchar* const values = planes[VOTES].row(0);
+    const uchar* const values = planes[EdgePlanes::VOTES].row(0);
     return sumAlong(raster, own.stride,
                     [=](ptrdiff_t pixel) { return (bits[pixel] >> shift & 1) * values[pixel]; });
 }
 
-void ChordCounter::remove(Point pixel)
+int ChordCounter::pixels(Chord chord) const
 {
-    for (int i = 0; i < PLANES; ++i)
-        if (uses(i))
+    const Raster raster(frame_, chord);
+    const EdgePlanes::Plane* const planes = planes_.across(raster.xMajor);
+    const int bin = planes_.isOriented() ? directionBin(frame_, chord) : 0;
+    int count = 0;
+    raster.forEachPixel(
+        [&](int x, int y)
         {
-            upright_[i].row(pixel.y)[pixel.x] = 0;
-            transposed_[i].row(pixel.x)[pixel.y] = 0;
-        }
+            const int column = raster.xMajor ? x : y, minor = raster.xMajor ? y : x;
+            count += voteAcross(planes, column, minor, bin) != 0;
+        });
+    return count;
 }
 
 } // namespace linespace

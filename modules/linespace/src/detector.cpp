@@ -353,7 +353,8 @@ public:
         executor_.reset();
         result_.buffer.release();
         spare_.buffer.release();
-        counter_.clear();
+        planes_.clear();
+        left_.clear();
         strips_.clear();
         deviations_.clear();
         activeBackend_ = -1;
@@ -428,9 +429,9 @@ private:
     //! for: how many there are is known too late.
     double selectionBytes(const Plan& plan, bool oriented) const
     {
-        const double counter =
-            ChordCounter::memory(plan.frame(), parameters_.edgeWeights, oriented);
-        return counter +
+        // Of the whole map, of what lines taken leave of it, and of an executor that counts again.
+        const int copies = 1 + (parameters_.selection == SELECT_EXPLAIN) + (ascentRadius() == 0);
+        return copies * EdgePlanes::memory(plan.frame(), parameters_.edgeWeights, oriented) +
                (ascentRadius() > 0
                     ? ascentMemory(plan.frame(), parameters_.maxLines > 0 ? poolSize() : 0)
                     : 0);
@@ -655,13 +656,13 @@ private:
                      : findCandidates(result_, frame, wanted, parameters_.suppression,
                                       parameters_.suppressionRadius);
         const bool explain = parameters_.selection == SELECT_EXPLAIN;
-        if (ascentRadius() > 0 || explain)
-            counter_.reset(edges, frame);
+        planes_.reset(edges, frame);
         if (!exact)
             recount(edges, plan, *counted.executor, candidates);
         removeIf(candidates,
-                 [&](const Candidate& candidate) {
-                     return !requirement.isMet(edges, plan, candidate) ||
+                 [&](const Candidate& candidate)
+                 {
+                     return !requirement.isMet(planes_, plan, candidate) ||
                             !isInInterval(frame, angles, candidate);
                  });
         SelectionRule rule;
@@ -674,7 +675,10 @@ private:
         {
             return refined(edges, frame, chord, angles);
         };
-        const std::vector<Selected> chosen = selectLines(edges, plan, rule, candidates, counter_);
+        if (explain)
+            planes_.copyTo(left_);
+        const std::vector<Selected> chosen =
+            selectLines(plan, rule, candidates, explain ? left_ : planes_);
         for (size_t i = 0; i < chosen.size(); ++i)
         {
             FittedLine fitted = chosen[i].fitted;
@@ -714,8 +718,9 @@ private:
     {
         if (ascentRadius() > 0)
         {
-            strips_.reset(counter_, plan.frame());
-            climbToMaxima(counter_, plan.frame(), ascentRadius(), strips_, candidates);
+            const ChordCounter counter(planes_);
+            strips_.reset(counter, plan.frame());
+            climbToMaxima(counter, plan.frame(), ascentRadius(), strips_, candidates);
             return;
         }
         std::vector<Chord> chords(candidates.size());
@@ -734,7 +739,7 @@ private:
         const FittedLine line = chordLine(frame, chord);
         if (parameters_.refine == REFINE_NONE)
             return line;
-        const FittedLine result = refineLine(edges, directionBit(frame, chord), line);
+        const FittedLine result = refineLine(edges, planes_, directionBit(frame, chord), line);
         Line inInterval = result.line;
         return angles.represent(inInterval) ? result : line;
     }
@@ -753,7 +758,7 @@ private:
     Ptr<Executor> executor_;
     int activeBackend_;
     VoteTable result_, spare_;
-    ChordCounter counter_;
+    EdgePlanes planes_, left_; // left_: see selectLines
     VoteStrips strips_;
     std::vector<Vec3f> deviations_; // of the lines of the last detect
 };

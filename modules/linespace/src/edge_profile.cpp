@@ -73,18 +73,17 @@ public:
         : range_(columns.within(SUPPORT_DISTANCE)), signs_(range_.size(), 0), supporting_(0),
           largest_(0)
     {
-        for (int i = range_.start; i < range_.end; ++i)
-        {
-            const int nearest = nearestSupport(columns, support, i);
-            if (nearest < 0)
-                continue;
-            ++supporting_;
-            const double gradient = gradients.at(i, nearest);
-            largest_ = std::max(largest_, std::abs(gradient));
-            signs_[i - range_.start] = gradient > 0 ? 1 : gradient < 0 ? -1 : 0;
-            if (gradient != 0)
-                own_.push_back(i);
-        }
+        columns.forEachWithin(
+            SUPPORT_DISTANCE, support,
+            [&](int i, int first, int mask)
+            {
+                ++supporting_;
+                const double gradient = gradients.at(i, nearest(columns.centre(i), first, mask));
+                largest_ = std::max(largest_, std::abs(gradient));
+                signs_[i - range_.start] = gradient > 0 ? 1 : gradient < 0 ? -1 : 0;
+                if (gradient != 0)
+                    own_.push_back(i);
+            });
         closeGaps();
     }
 
@@ -98,17 +97,17 @@ public:
     double largest() const { return largest_; }
 
 private:
-    static int nearestSupport(const Columns& columns, const Support& support, int i)
+    //! The pixel of a column's mask that is nearest to the line, of two the first.
+    static int nearest(double centre, int first, int mask)
     {
-        const double centre = columns.centre(i), reach = SUPPORT_DISTANCE / std::abs(columns.minor);
-        int nearest = -1;
-        for (int k = std::max(0, cvCeil(centre - reach)),
-                 last = std::min(columns.limit - 1, cvFloor(centre + reach));
-             k <= last; ++k)
-            if (support.has(i, k) &&
-                (nearest < 0 || std::abs(k - centre) < std::abs(nearest - centre)))
-                nearest = k;
-        return nearest;
+        int result = first + (int)trailingZeros32(mask);
+        for (mask &= mask - 1; mask != 0; mask &= mask - 1)
+        {
+            const int k = first + (int)trailingZeros32(mask);
+            if (std::abs(k - centre) < std::abs(result - centre))
+                result = k;
+        }
+        return result;
     }
 
     /** An edge detector leaves out columns by chance, or puts noise in the place of the edge: a
@@ -179,6 +178,8 @@ public:
     //! Columns that have a sign of their own.
     int ownColumns() const { return own_; }
     double middle() const { return middle_; }
+    //! Of the first column, from the middle of the image.
+    double firstPosition() const { return position_[0]; }
 
     //! Moves the line to where it is pulled to neither side, if there is such a place.
     bool fit(Offset& offset, std::vector<ColumnScore>& scores)
@@ -277,15 +278,16 @@ private:
         }
     }
 
-    //! What is left of the sums after a small step, to first order.
+    //! What is left of the sums after a small step, to first order; from the first column on.
     void scoresAfter(const Offset& step, std::vector<ColumnScore>& scores) const
     {
-        scores.resize(index_.size());
-        for (size_t j = 0; j < scores.size(); ++j)
+        const ColumnScore nothing = {0, 0};
+        scores.assign(index_.back() - index_[0] + 1, nothing);
+        for (size_t j = 0; j < index_.size(); ++j)
         {
             const double moved = step.a + step.b * position_[j];
-            const ColumnScore score = {position_[j], moment_[j] - change_[j] * moved, change_[j]};
-            scores[j] = score;
+            const ColumnScore score = {moment_[j] - change_[j] * moved, change_[j]};
+            scores[index_[j] - index_[0]] = score;
         }
     }
 
@@ -303,11 +305,12 @@ private:
 
 } // namespace
 
-bool fitGradients(const EdgeMap& edges, ushort bit, const FittedLine& line, FittedLine& fitted)
+bool fitGradients(const EdgeMap& edges, const EdgePlanes& planes, ushort bit,
+                  const FittedLine& line, FittedLine& fitted)
 {
     const Columns columns(edges.votes.size(), line.line);
     const NormalGradients gradients(edges.dx, edges.dy, columns, line.line);
-    const EdgeSigns signs(columns, Support(edges, bit, columns), gradients);
+    const EdgeSigns signs(columns, Support(planes, bit, columns.xMajor), gradients);
     Profile profile(columns, signs, gradients);
     Offset offset = {0, 0};
     std::vector<ColumnScore> scores;
@@ -315,7 +318,7 @@ bool fitGradients(const EdgeMap& edges, ushort bit, const FittedLine& line, Fitt
         return false;
     fitted.line = moved(columns, profile.middle(), line.line, offset);
     OffsetCovariance covariance;
-    fitted.covariance = offsetCovariance(scores, covariance)
+    fitted.covariance = offsetCovariance(profile.firstPosition(), scores, covariance)
                             ? polarCovariance(columns, profile.middle(), fitted.line, covariance)
                             : line.covariance;
     return true;

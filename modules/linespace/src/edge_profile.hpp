@@ -19,11 +19,13 @@ line's normal, of the sign that the edge has there, at the pixels within three p
 weighted by how near they are. The line is moved until their weighted distances and the products of
 these with the column sum up to 0.
 @param edges with gradients.
+@param planes of the same map.
 @param bit as for refineLine.
 @param fitted keeps the covariance of the given line where the columns do not determine another.
 @return false if that does not end, or fewer than half of the columns that support the line have
 gradients. */
-bool fitGradients(const EdgeMap& edges, ushort bit, const FittedLine& line, FittedLine& fitted);
+bool fitGradients(const EdgeMap& edges, const EdgePlanes& planes, ushort bit,
+                  const FittedLine& line, FittedLine& fitted);
 
 } // namespace linespace
 } // namespace cv

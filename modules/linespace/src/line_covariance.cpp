@@ -64,30 +64,43 @@ Covariance polarCovariance(const Columns& columns, double middle, const Line& li
     return result;
 }
 
-bool offsetCovariance(const std::vector<ColumnScore>& columns, OffsetCovariance& covariance)
+bool offsetCovariance(double first, const std::vector<ColumnScore>& columns,
+                      OffsetCovariance& covariance)
 {
-    const int lags = 4;
+    // Pairs of columns weigh 1 - lag / WINDOW, which is the share of the windows of that length
+    // over either that are over both: so the variance of a sum is a sum over all windows.
+    enum
+    {
+        WINDOW = 5
+    };
     double s = 0, st = 0, stt = 0; // sensitivities
     double v = 0, vt = 0, vtt = 0; // variance of the sums of scores
-    for (size_t i = 0; i < columns.size(); ++i)
+    double scores[WINDOW] = {0}, moments[WINDOW] = {0}, inWindow = 0, momentInWindow = 0;
+    const int count = (int)columns.size();
+    for (int i = 0, slot = 0; i < count + WINDOW - 1; ++i, slot = slot + 1 < WINDOW ? slot + 1 : 0)
     {
-        const ColumnScore& column = columns[i];
-        s += column.sensitivity;
-        st += column.sensitivity * column.t;
-        stt += column.sensitivity * column.t * column.t;
-        for (size_t j = i; j < columns.size(); ++j)
+        inWindow -= scores[slot];
+        momentInWindow -= moments[slot];
+        scores[slot] = moments[slot] = 0;
+        if (i < count)
         {
-            const ColumnScore& other = columns[j];
-            const double lag = other.t - column.t;
-            if (lag > lags)
-                break;
-            const double product =
-                (i == j ? 1 : 2 * (1 - lag / (lags + 1))) * column.score * other.score;
-            v += product;
-            vt += product * 0.5 * (column.t + other.t);
-            vtt += product * column.t * other.t;
+            const ColumnScore& column = columns[i];
+            const double t = first + i, weighted = column.sensitivity * t;
+            s += column.sensitivity;
+            st += weighted;
+            stt += weighted * t;
+            scores[slot] = column.score;
+            moments[slot] = column.score * t;
         }
+        inWindow += scores[slot];
+        momentInWindow += moments[slot];
+        v += inWindow * inWindow;
+        vt += inWindow * momentInWindow;
+        vtt += momentInWindow * momentInWindow;
     }
+    v /= WINDOW;
+    vt /= WINDOW;
+    vtt /= WINDOW;
     const double determinant = s * stt - st * st;
     if (!(determinant > 1e-9 * s * stt) || !(s > 0))
         return false;

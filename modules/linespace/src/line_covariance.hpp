@@ -45,10 +45,9 @@ Line moved(const Columns& columns, double middle, const Line& line, const Offset
 Covariance polarCovariance(const Columns& columns, double middle, const Line& line,
                            const OffsetCovariance& covariance);
 
-//! What one column says about the offset there.
+//! What one column says about the offset there; zeros: nothing.
 struct ColumnScore
 {
-    double t;           //!< i - middle
     double score;       //!< a sum over the column's pixels whose expectation is 0 on the true line
     double sensitivity; //!< how fast the score grows with the offset
 };
@@ -56,8 +55,10 @@ struct ColumnScore
 /** The covariance of the offset at which the scores and their products with t sum up to 0, from
 the scores that are left there (the sandwich estimator). Neighbours up to four columns away may be
 correlated, as smoothed images' gradients are (Newey and West).
-@param columns in the order of t, each once. Returns false if they do not determine a line. */
-bool offsetCovariance(const std::vector<ColumnScore>& columns, OffsetCovariance& covariance);
+@param columns one after the other, of t = first, first + 1 ...
+@return false if they do not determine a line. */
+bool offsetCovariance(double first, const std::vector<ColumnScore>& columns,
+                      OffsetCovariance& covariance);
 
 } // namespace linespace
 } // namespace cv

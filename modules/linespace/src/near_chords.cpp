@@ -49,24 +49,27 @@ struct Walk
 
 } // namespace
 
-int ChordCounter::voteAcross(const Plane* planes, int column, int minor, int bin) const
+int ChordCounter::voteAcross(const EdgePlanes::Plane* planes, int column, int minor, int bin) const
 {
-    if (oriented_ && !(planes[bin < 8 ? LOW_BITS : HIGH_BITS].row(column)[minor] >> bin % 8 & 1))
+    if (planes_.isOriented() &&
+        !(planes[bin < 8 ? EdgePlanes::LOW_BITS : EdgePlanes::HIGH_BITS].row(column)[minor] >>
+              bin % 8 &
+          1))
         return 0;
-    return uses(VOTES) ? planes[VOTES].row(column)[minor] : 1;
+    return planes_.has(EdgePlanes::VOTES) ? planes[EdgePlanes::VOTES].row(column)[minor] : 1;
 }
 
 bool ChordCounter::countLanes(const Raster& guide, const Range& columns, const Raster* rasters,
                               const int* bins, int count, int* votes) const
 {
-    const Plane* const planes = across(guide.xMajor);
+    const EdgePlanes::Plane* const planes = planes_.across(guide.xMajor);
     LaneMap map;
     if (!guide.fixedPoint(map.start, map.increment))
         return false;
     map.start += (columns.start - guide.first) * map.increment;
     map.columns = columns.size();
     map.below = LaneMap::belowFor(guide.step < 0);
-    map.weighted = weighted_;
+    map.weighted = planes_.isWeighted();
     const int window = (int)(map.start >> 32) - map.below;
 
     ChordLanes lanes;
@@ -89,20 +92,22 @@ bool ChordCounter::countLanes(const Raster& guide, const Range& columns, const R
     }
 
     // Of an oriented map, chords of neighbouring bins may have their bits in different planes.
-    for (int p = oriented_ ? LOW_BITS : VOTES; p <= (oriented_ ? HIGH_BITS : VOTES); ++p)
+    for (int p = planes_.isOriented() ? EdgePlanes::LOW_BITS : EdgePlanes::VOTES;
+         p <= (planes_.isOriented() ? EdgePlanes::HIGH_BITS : EdgePlanes::VOTES); ++p)
     {
-        bool isUsed = !oriented_;
+        bool isUsed = !planes_.isOriented();
         for (int i = 0; i < ChordLanes::COUNT; ++i)
         {
             const int bin = bins[std::min(i, count - 1)];
-            const bool isOwn = oriented_ && (bin < 8) == (p == LOW_BITS);
+            const bool isOwn = planes_.isOriented() && (bin < 8) == (p == EdgePlanes::LOW_BITS);
             lanes.bit[i] = isOwn ? (uchar)(1 << bin % 8) : 0;
             isUsed = isUsed || isOwn;
         }
         if (!isUsed)
             continue;
-        map.votes = uses(VOTES) ? planes[VOTES].row(columns.start) : 0;
-        map.bits = oriented_ ? planes[p].row(columns.start) : 0;
+        map.votes =
+            planes_.has(EdgePlanes::VOTES) ? planes[EdgePlanes::VOTES].row(columns.start) : 0;
+        map.bits = planes_.isOriented() ? planes[p].row(columns.start) : 0;
         map.stride = planes[p].stride;
         countChordLanes(lanes, map, votes);
     }
@@ -136,7 +141,7 @@ void ChordCounter::countNear(Chord middle, const Chord* chords, int count, int* 
         }
         begin = std::max(begin, raster.first);
         end = std::min(end, raster.first + raster.count);
-        bins[together] = oriented_ ? directionBin(frame_, chords[i]) : 0;
+        bins[together] = planes_.isOriented() ? directionBin(frame_, chords[i]) : 0;
         where[together] = i;
         rasters[together++] = raster;
     }

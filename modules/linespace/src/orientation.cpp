@@ -79,17 +79,13 @@ int directionBin(int dx, int dy)
         x = -x;
         y = -y;
     }
-    // The last bin whose lower end is not beyond the direction.
-    int low = 0, high = DIRECTION_BINS;
-    while (high - low > 1)
-    {
-        const int middle = (low + high) / 2;
-        if (END_COSINE[middle] * y - endSine(middle) * x >= 0)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
+    // The last bin whose lower end is not beyond the direction, without branches: which way is as
+    // likely as not.
+    static_assert((DIRECTION_BINS & (DIRECTION_BINS - 1)) == 0, "halved to the end");
+    int bin = 0;
+    for (int half = DIRECTION_BINS / 2; half > 0; half /= 2)
+        bin += half * (END_COSINE[bin + half] * y - endSine(bin + half) * x >= 0);
+    return bin;
 }
 
 int directionBin(const Cell& cell, Chord chord)

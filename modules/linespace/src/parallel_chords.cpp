@@ -5,12 +5,7 @@
 // ChordCounter::countParallel: one load of 16 pixels and one add per pixel of the raster.
 
 #include "chord_counter.hpp"
-
-#include <opencv2/core/hal/intrin.hpp>
-#include <opencv2/core/version.hpp>
-#if CV_VERSION_MAJOR > 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR >= 11)
-#include <opencv2/core/hal/intrin_legacy_ops.hpp> // operators; older versions have no functions
-#endif
+#include "vectors.hpp"
 
 namespace cv {
 namespace linespace {
@@ -167,8 +162,9 @@ void ChordCounter::countParallel(const ParallelChords* chords, int count, int* v
             countOneByOne(chords[i], votes + i * PARALLEL);
         longest = std::max(longest, walks[i].left);
     }
-    const auto sum = oriented_ ? (weighted_ ? sumParallel<true, true> : sumParallel<false, true>)
-                               : (weighted_ ? sumParallel<true, false> : sumParallel<false, false>);
+    const bool oriented = planes_.isOriented(), weighted = planes_.isWeighted();
+    const auto sum = oriented ? (weighted ? sumParallel<true, true> : sumParallel<false, true>)
+                              : (weighted ? sumParallel<true, false> : sumParallel<false, false>);
     // All of them for some columns, before the cache has forgotten these.
     const int columns = 128;
     for (int done = 0; done < longest; done += columns)
@@ -192,16 +188,18 @@ bool ChordCounter::startParallel(const ParallelChords& chords, ParallelWalk& wal
     if (!raster.fixedPoint(walk.steps.minor, walk.steps.increment))
         return false;
     // From the top, s + 1 is one to the right; from the right, one down.
-    const Plane* const planes = downwards ? upright_ : transposed_;
-    const int bin = oriented_ ? directionBin(frame_, chord) : 0;
-    const Plane* const own = oriented_ ? &planes[bin < 8 ? LOW_BITS : HIGH_BITS] : 0;
-    const ptrdiff_t stride = planes[own ? LOW_BITS : VOTES].stride;
+    const EdgePlanes::Plane* const planes = downwards ? planes_.upright() : planes_.transposed();
+    const int bin = planes_.isOriented() ? directionBin(frame_, chord) : 0;
+    const EdgePlanes::Plane* const own =
+        planes_.isOriented() ? &planes[bin < 8 ? EdgePlanes::LOW_BITS : EdgePlanes::HIGH_BITS] : 0;
+    const ptrdiff_t stride = planes[own ? EdgePlanes::LOW_BITS : EdgePlanes::VOTES].stride;
     const bool alongRows = raster.xMajor == downwards;
     walk.steps.majorStride = alongRows ? 1 : stride;
     walk.steps.minorStride = alongRows ? stride : 1;
     walk.steps.major = raster.first * walk.steps.majorStride;
     walk.left = raster.count;
-    walk.values = uses(VOTES) ? planes[VOTES].row(0) - chords.before : 0;
+    walk.values =
+        planes_.has(EdgePlanes::VOTES) ? planes[EdgePlanes::VOTES].row(0) - chords.before : 0;
     walk.bits = own ? own->row(0) - chords.before : 0;
     walk.bit = (uchar)(1 << bin % 8);
     return true;

@@ -6,6 +6,8 @@
 
 #include "edge_profile.hpp"
 
+#include <limits>
+
 namespace cv {
 namespace linespace {
 
@@ -42,55 +44,104 @@ struct Moments
     }
 };
 
-//! The edge pixels that carry the bit within a distance of a line, in the order of its columns.
-std::vector<Point> supportersWithin(double reach, const EdgeMap& edges, ushort bit,
-                                    const Line& line)
-{
-    const Columns columns(edges.votes.size(), line);
-    const Support support(edges, bit, columns);
-    std::vector<Point> result;
-    columns.forEachWithin(reach,
-                          [&](int i, int k)
-                          {
-                              if (support.has(i, k))
-                                  result.push_back(columns.pixel(i, k));
-                          });
-    return result;
-}
-
-double distance(double cosine, double sine, double rho, const Point& pixel)
-{
-    return pixel.x * cosine + pixel.y * sine - rho;
-}
-
-//! The moments of those of some pixels that support a line. Few change from a line to the next.
-class SupportMoments
+/** Edge pixels around a line, and the moments of those that support it, or another line near it.
+Few change from a line to the next. */
+class Supporters
 {
 public:
-    explicit SupportMoments(const std::vector<Point>& pixels)
-        : pixels_(pixels), supports_(pixels.size(), 0)
+    /** Those that carry the bit within a distance of the line, in the order of its columns. */
+    Supporters(double reach, const EdgePlanes& planes, ushort bit, const Line& line, Size image)
+        : count_(0)
     {
+        const Columns columns(image, line);
+        const Support support(planes, bit, columns.xMajor);
+        std::vector<double>&along = columns.xMajor ? x_ : y_, &across = columns.xMajor ? y_ : x_;
+        columns.forEachWithin(reach, support,
+                              [&](int i, int k, int mask)
+                              {
+                                  if (count_ + Support::WINDOW > x_.size())
+                                  {
+                                      x_.resize(2 * count_ + 512);
+                                      y_.resize(x_.size());
+                                  }
+                                  for (; mask != 0; mask &= mask - 1, ++count_)
+                                  {
+                                      along[count_] = i;
+                                      across[count_] = k + (int)trailingZeros32(mask);
+                                  }
+                              });
+        const size_t groups = (count_ + GROUP - 1) / GROUP;
+        x_.resize(groups * GROUP);
+        y_.resize(groups * GROUP);
+        // What fills the last group is near no line.
+        std::fill(x_.begin() + count_, x_.end(), std::numeric_limits<double>::quiet_NaN());
+        near_.resize(groups);
         const Moments none = {0, 0, 0, 0, 0, 0};
         sum_ = none;
     }
-    const Moments& of(const Line& line)
+    size_t count() const { return count_; }
+    Point pixel(size_t j) const { return Point((int)x_[j], (int)y_[j]); }
+
+    //! The moments of those that support a line.
+    const Moments& momentsOf(const Line& line)
     {
-        const double cosine = std::cos(line.theta), sine = std::sin(line.theta);
-        for (size_t j = 0; j < pixels_.size(); ++j)
-        {
-            const bool supports =
-                std::abs(distance(cosine, sine, line.rho, pixels_[j])) <= SUPPORT_DISTANCE;
-            if (supports == (bool)supports_[j])
-                continue;
-            sum_.add(pixels_[j], supports ? 1 : -1);
-            supports_[j] = supports;
-        }
+        forEachGroup(line,
+                     [this](size_t group, int near)
+                     {
+                         int changed = near ^ near_[group];
+                         near_[group] = (uchar)near;
+                         for (; changed != 0; changed &= changed - 1)
+                         {
+                             const int b = (int)trailingZeros32(changed);
+                             sum_.add(pixel(group * GROUP + b), near >> b & 1 ? 1 : -1);
+                         }
+                     });
         return sum_;
+    }
+    //! Calls visit(pixel) for those that support a line.
+    template<class Visit>
+    void forEachOf(const Line& line, Visit visit) const
+    {
+        forEachGroup(line,
+                     [&](size_t group, int near)
+                     {
+                         for (; near != 0; near &= near - 1)
+                             visit(pixel(group * GROUP + trailingZeros32(near)));
+                     });
     }
 
 private:
-    const std::vector<Point>& pixels_;
-    std::vector<uchar> supports_;
+    enum
+    {
+        GROUP = 8
+    };
+    //! Calls visit(group, near), where bit b tells whether the group's pixel b supports the line.
+    template<class Visit>
+    void forEachGroup(const Line& line, Visit visit) const
+    {
+        const double cosine = std::cos(line.theta), sine = std::sin(line.theta);
+        for (size_t group = 0; group < near_.size(); ++group)
+        {
+            const double *const x = &x_[group * GROUP], *const y = &y_[group * GROUP];
+            int near = 0;
+#if CV_SIMD128_64F
+            const v_float64x2 cosines = v_setall_f64(cosine), sines = v_setall_f64(sine),
+                              rho = v_setall_f64(line.rho), most = v_setall_f64(SUPPORT_DISTANCE);
+            for (int b = 0; b < GROUP; b += 2)
+                near |=
+                    v_signmask(v_abs(v_load(x + b) * cosines + v_load(y + b) * sines - rho) <= most)
+                    << b;
+#else
+            for (int b = 0; b < GROUP; ++b)
+                near |= (std::abs(x[b] * cosine + y[b] * sine - line.rho) <= SUPPORT_DISTANCE) << b;
+#endif
+            visit(group, near);
+        }
+    }
+
+    size_t count_;
+    std::vector<double> x_, y_; // in groups
+    std::vector<uchar> near_;   // those whose moments are summed up; a bit each
     Moments sum_;
 };
 
@@ -116,35 +167,31 @@ bool fitMoments(const Moments& m, Line& line)
 }
 
 //! What the supporting pixels say of a line, and the grid of pixels besides; false if nothing.
-bool covarianceOf(Size image, const std::vector<Point>& supporters, const Line& line,
+bool covarianceOf(Size image, const Supporters& supporters, const Line& line,
                   Covariance& covariance)
 {
     const Columns columns(image, line);
     const double middle = 0.5 * (columns.length - 1);
-    const ColumnScore nothing = {0, 0, 0};
+    const ColumnScore nothing = {0, 0};
     std::vector<ColumnScore> scores(columns.length, nothing);
-    for (size_t j = 0; j < supporters.size(); ++j)
-    {
-        const int i = columns.xMajor ? supporters[j].x : supporters[j].y,
-                  k = columns.xMajor ? supporters[j].y : supporters[j].x;
-        const double offset = columns.distance(i, k);
-        if (std::abs(offset) > SUPPORT_DISTANCE)
-            continue;
-        scores[i].t = i - middle;
-        scores[i].score += offset;
-        ++scores[i].sensitivity;
-    }
-    scores.erase(std::remove_if(scores.begin(), scores.end(),
-                                [](const ColumnScore& score) { return score.sensitivity == 0; }),
-                 scores.end());
+    int first = columns.length, last = 0;
+    supporters.forEachOf(line,
+                         [&](Point pixel)
+                         {
+                             const int i = columns.xMajor ? pixel.x : pixel.y,
+                                       k = columns.xMajor ? pixel.y : pixel.x;
+                             first = std::min(first, i);
+                             last = std::max(last, i);
+                             scores[i].score += columns.distance(i, k);
+                             ++scores[i].sensitivity;
+                         });
     OffsetCovariance result;
-    if (!offsetCovariance(scores, result))
+    if (!offsetCovariance(-middle, scores, result))
         return false;
     // Where the line keeps to one row of pixels, their residuals are all alike and say nothing: an
     // edge anywhere within the row looks the same. Each row passed is one more such observation,
     // evenly spread over the length between the first and the last column, about their middle.
-    const double length = scores.back().t - scores.front().t + 1,
-                 centre = 0.5 * (scores.front().t + scores.back().t);
+    const double length = last - first + 1, centre = 0.5 * (first + last) - middle;
     const double rows = 1 + length * std::abs(columns.major / columns.minor);
     const double position = columns.minor * columns.minor / 12 / rows,
                  slope = 12 * position / (length * length);
@@ -156,25 +203,25 @@ bool covarianceOf(Size image, const std::vector<Point>& supporters, const Line& 
 }
 
 /** Total least squares on edge pixels; keeps the line's covariance where they say nothing of it. */
-bool fitEdgePixels(const EdgeMap& edges, ushort bit, const FittedLine& line, FittedLine& fitted)
+bool fitEdgePixels(const EdgeMap& edges, const EdgePlanes& planes, ushort bit,
+                   const FittedLine& line, FittedLine& fitted)
 {
-    CV_DbgAssert(std::max(edges.votes.cols, edges.votes.rows) <= 1 << 20); // see Moments
+    const Size image = edges.votes.size();
+    CV_DbgAssert(std::max(image.width, image.height) <= 1 << 20); // see Moments
     // Also those of a line that moves by up to TOO_FAR at its ends.
-    const std::vector<Point> supporters =
-        supportersWithin(SUPPORT_DISTANCE + TOO_FAR, edges, bit, line.line);
+    Supporters supporters(SUPPORT_DISTANCE + TOO_FAR, planes, bit, line.line, image);
     fitted = line;
-    SupportMoments support(supporters);
     Moments last = {0, 0, 0, 0, 0, 0};
     for (int i = 0; i < MAX_FITS; ++i)
     {
-        const Moments moments = support.of(fitted.line);
+        const Moments moments = supporters.momentsOf(fitted.line);
         if (moments == last || !fitMoments(moments, fitted.line))
             break;
         last = moments;
     }
     if (last.n == 0)
         return false;
-    covarianceOf(edges.votes.size(), supporters, fitted.line, fitted.covariance);
+    covarianceOf(image, supporters, fitted.line, fitted.covariance);
     return true;
 }
 
@@ -232,23 +279,29 @@ FittedLine chordLine(const Cell& frame, Chord chord)
     return result;
 }
 
-FittedLine refineLine(const EdgeMap& edges, ushort bit, const FittedLine& chord)
+FittedLine refineLine(const EdgeMap& edges, const EdgePlanes& planes, ushort bit,
+                      const FittedLine& chord)
 {
     Ends ends;
     if (!clipLine(std::cos(chord.line.theta), std::sin(chord.line.theta), chord.line.rho,
                   edges.votes.size(), ends))
         return chord;
     FittedLine best = chord, fitted;
-    if (fitEdgePixels(edges, bit, best, fitted))
+    if (fitEdgePixels(edges, planes, bit, best, fitted))
         takeWithinReach(ends, fitted, best);
-    if (!edges.dx.empty() && fitGradients(edges, bit, best, fitted))
+    if (!edges.dx.empty() && fitGradients(edges, planes, bit, best, fitted))
         takeWithinReach(ends, fitted, best);
     return best;
 }
 
-std::vector<Point> explainedPixels(const EdgeMap& edges, ushort bit, const Line& line)
+std::vector<Point> explainedPixels(const EdgePlanes& planes, Size image, ushort bit,
+                                   const Line& line)
 {
-    return supportersWithin(EXPLAINED_DISTANCE, edges, bit, line);
+    const Supporters explained(EXPLAINED_DISTANCE, planes, bit, line, image);
+    std::vector<Point> result(explained.count());
+    for (size_t j = 0; j < result.size(); ++j)
+        result[j] = explained.pixel(j);
+    return result;
 }
 
 } // namespace linespace

@@ -61,15 +61,10 @@ private:
 class LineSelection
 {
 public:
-    LineSelection(const EdgeMap& edges, const Plan& plan, const SelectionRule& rule,
-                  ChordCounter& counter)
-        : plan_(plan), frame_(plan.frame()), rule_(rule), left_(edges), counter_(counter),
+    LineSelection(const Plan& plan, const SelectionRule& rule, EdgePlanes& planes)
+        : plan_(plan), frame_(plan.frame()), rule_(rule), left_(planes), counter_(planes),
           taken_(plan.imageSize(), rule.distance)
     {
-        if (!rule.explain)
-            return;
-        left_.votes = edges.votes.clone();
-        left_.directions = edges.directions.clone();
     }
 
     std::vector<Selected> run(Queue& queue)
@@ -104,6 +99,9 @@ private:
         {
             Waiting next = queue.pop();
             Prospect prospect;
+            // Most wait near a line taken, where they stay: no need to count what is left of them.
+            if (!isProspect(next.candidate, prospect))
+                continue;
             // Votes only fall, so one that still has what it waited with is the strongest of all.
             if (hasFallen(next))
             {
@@ -111,7 +109,7 @@ private:
                 if (rule_.requirement.isMet(left_, plan_, now))
                     queue.push(next);
             }
-            else if (isProspect(next.candidate, prospect) && take(prospect))
+            else if (take(prospect))
                 explainBy(chosen_.back());
         }
     }
@@ -204,16 +202,11 @@ private:
 
     void explainBy(const Selected& selected)
     {
-        const std::vector<Point> explained = explainedPixels(
-            left_, directionBit(frame_, selected.candidate.chord()), selected.fitted.line);
+        const std::vector<Point> explained =
+            explainedPixels(left_, plan_.imageSize(),
+                            directionBit(frame_, selected.candidate.chord()), selected.fitted.line);
         for (size_t i = 0; i < explained.size(); ++i)
-        {
-            const Point pixel = explained[i];
-            counter_.remove(pixel);
-            left_.votes.ptr<uchar>(pixel.y)[pixel.x] = 0;
-            if (left_.isOriented())
-                left_.directions.ptr<ushort>(pixel.y)[pixel.x] = 0;
-        }
+            left_.remove(explained[i]);
     }
 
     bool isNearTaken(const Line& line, Ends& ends) const
@@ -226,19 +219,19 @@ private:
     const Plan& plan_;
     const Cell frame_;
     const SelectionRule& rule_;
-    EdgeMap left_;          // with rule_.explain, without what the lines taken explain
-    ChordCounter& counter_; // of the same
+    EdgePlanes& left_;           // with rule_.explain, without what the lines taken explain
+    const ChordCounter counter_; // of the same
     LineIndex taken_;
     std::vector<Selected> chosen_;
 };
 
 } // namespace
 
-std::vector<Selected> selectLines(const EdgeMap& edges, const Plan& plan, const SelectionRule& rule,
-                                  const std::vector<Candidate>& candidates, ChordCounter& counter)
+std::vector<Selected> selectLines(const Plan& plan, const SelectionRule& rule,
+                                  const std::vector<Candidate>& candidates, EdgePlanes& planes)
 {
     Queue queue(candidates);
-    return LineSelection(edges, plan, rule, counter).run(queue);
+    return LineSelection(plan, rule, planes).run(queue);
 }
 
 } // namespace linespace

@@ -36,12 +36,12 @@ struct Requirement
     }
 
     //! For exact votes. The statistical rule counts pixels, whatever their weights.
-    bool isMet(const EdgeMap& edges, const Plan& plan, const Candidate& candidate) const
+    bool isMet(const EdgePlanes& planes, const Plan& plan, const Candidate& candidate) const
     {
         if (!canBeMet(plan, candidate, 1))
             return false;
-        return pixels.empty() || !edges.weighted ||
-               chordPixels(edges, plan.frame(), candidate.chord()) >= pixelsNeeded(plan, candidate);
+        return pixels.empty() || !planes.isWeighted() ||
+               ChordCounter(planes).pixels(candidate.chord()) >= pixelsNeeded(plan, candidate);
     }
 
 private:
@@ -78,10 +78,10 @@ lines.
 With rule.explain, the edge pixels along a line taken do not vote for the lines after it: the next
 line is the one with the most of the pixels that are left, and it must still meet the requirement.
 @param candidates with exact votes.
-@param counter of the map; with rule.explain, what is explained is taken out of it.
+@param planes of the map; with rule.explain, what is explained is taken out of them.
 @return in the total order of their votes among all edge pixels. */
-std::vector<Selected> selectLines(const EdgeMap& edges, const Plan& plan, const SelectionRule& rule,
-                                  const std::vector<Candidate>& candidates, ChordCounter& counter);
+std::vector<Selected> selectLines(const Plan& plan, const SelectionRule& rule,
+                                  const std::vector<Candidate>& candidates, EdgePlanes& planes);
 
 } // namespace linespace
 } // namespace cv

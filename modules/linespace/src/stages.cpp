@@ -47,37 +47,23 @@ double workingMemory(const Plan& plan, bool weighted, bool oriented, int level)
 
 namespace {
 
-//! Calls visit(value) for every pixel of a chord that lies in the image and votes for its bin.
-template<class Visit>
-void forEachVote(const EdgeMap& edges, const Cell& frame, Chord chord, Visit visit)
+} // namespace
+
+int chordVotes(const EdgeMap& edges, const Cell& frame, Chord chord)
 {
     const Mat& votes = edges.votes;
     const bool isOriented = edges.isOriented();
     const ushort bit = isOriented ? directionBit(frame, chord) : 0;
+    int sum = 0;
     Raster(frame, chord)
         .forEachPixel(
             [&](int x, int y)
             {
                 if (x < votes.cols && y < votes.rows &&
                     (!isOriented || (edges.directions.ptr<ushort>(y)[x] & bit)))
-                    visit(votes.ptr<uchar>(y)[x]);
+                    sum += votes.ptr<uchar>(y)[x];
             });
-}
-
-} // namespace
-
-int chordVotes(const EdgeMap& edges, const Cell& frame, Chord chord)
-{
-    int sum = 0;
-    forEachVote(edges, frame, chord, [&](uchar value) { sum += value; });
     return sum;
-}
-
-int chordPixels(const EdgeMap& edges, const Cell& frame, Chord chord)
-{
-    int count = 0;
-    forEachVote(edges, frame, chord, [&](uchar value) { count += value != 0; });
-    return count;
 }
 
 } // namespace linespace

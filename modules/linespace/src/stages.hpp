@@ -128,15 +128,12 @@ void countVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, bool
                 VoteTable& spare, VoteTable& result);
 
 /** Bytes that countVotes needs for its two tables, and everybody for copies of the edge map, but
-for those of ChordCounter. */
+for EdgePlanes. */
 double workingMemory(const Plan& plan, bool weighted, bool oriented, int level);
 
 //! Votes of a chord of the frame on the edge map, of the pixels that vote for its bin; pixels
 //! beyond the image are 0.
 int chordVotes(const EdgeMap& edges, const Cell& frame, Chord chord);
-
-//! The number of those pixels, whatever their weights.
-int chordPixels(const EdgeMap& edges, const Cell& frame, Chord chord);
 
 } // namespace linespace
 } // namespace cv

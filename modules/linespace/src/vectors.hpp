@@ -1,0 +1,16 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// OpenCV's vectors of 128 bits with their operators, in any of its versions.
+
+#ifndef OPENCV_LINESPACE_VECTORS_HPP
+#define OPENCV_LINESPACE_VECTORS_HPP
+
+#include <opencv2/core/hal/intrin.hpp>
+#include <opencv2/core/version.hpp>
+#if CV_VERSION_MAJOR > 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR >= 11)
+#include <opencv2/core/hal/intrin_legacy_ops.hpp> // operators; older versions have no functions
+#endif
+
+#endif // OPENCV_LINESPACE_VECTORS_HPP
