@@ -9,11 +9,11 @@ namespace linespace {
 
 namespace {
 
-const int REACH = 3;            // pixels on either side of the line that weigh
-const int MAX_GAP = 8;          // columns
-const double MAX_OFFSET = 1;    // pixels at the ends; a fit farther away is of something else
-const double MOST_GRADIENT = 2; // times the largest one at an edge pixel: no pixel weighs more
-const int MAX_TAPS = 11;        // pixels of a column within REACH + MAX_OFFSET, at 45 degrees
+const int REACH = 3;           // pixels on either side of the line that weigh
+const int MAX_GAP = 8;         // columns
+const double MAX_OFFSET = 1;   // pixels at the ends; a fit farther away is of something else
+const float MOST_GRADIENT = 2; // times the largest one at an edge pixel: no pixel weighs more
+const int MAX_TAPS = 11;       // pixels of a column within REACH + MAX_OFFSET, at 45 degrees
 const int MAX_STEPS = 20;
 const double STILL = 1e-3; // pixels; a step that is smaller at both ends is the last
 
@@ -27,16 +27,16 @@ public:
           cosine_(std::cos(line.theta)), sine_(std::sin(line.theta))
     {
     }
-    //! At pixels k, k + 1, ... of column i.
-    void read(int i, int k, int count, double* components) const
-    {
-        isFloat_ ? readAs<float>(i, k, count, components) : readAs<short>(i, k, count, components);
-    }
     double at(int i, int k) const
     {
-        double component;
-        read(i, k, 1, &component);
-        return component;
+        return isFloat_ ? component<float>(i, k) : component<short>(i, k);
+    }
+    /** Those at pixels k, k + 1, ... of column i times a scale, at least 0 and at most `most`, into
+    every stride-th float. */
+    void read(int i, int k, int count, double scale, float most, float* out, int stride) const
+    {
+        isFloat_ ? readAs<float>(i, k, count, scale, most, out, stride)
+                 : readAs<short>(i, k, count, scale, most, out, stride);
     }
 
 private:
@@ -52,11 +52,20 @@ private:
         const uchar* at(int i, int k) const { return data + i * alongStep + k * acrossStep; }
     };
     template<class Value>
-    void readAs(int i, int k, int count, double* components) const
+    double component(int i, int k) const
     {
+        return *(const Value*)dx_.at(i, k) * cosine_ + *(const Value*)dy_.at(i, k) * sine_;
+    }
+    template<class Value>
+    void readAs(int i, int k, int count, double scale, float most, float* out, int stride) const
+    {
+        const double cosine = cosine_ * scale, sine = sine_ * scale;
         const uchar *x = dx_.at(i, k), *y = dy_.at(i, k);
         for (int j = 0; j < count; ++j, x += dx_.acrossStep, y += dy_.acrossStep)
-            components[j] = *(const Value*)x * cosine_ + *(const Value*)y * sine_;
+        {
+            const double scaled = *(const Value*)x * cosine + *(const Value*)y * sine;
+            out[j * stride] = (float)std::min(std::max(scaled, 0.), (double)most);
+        }
     }
 
     Plane dx_, dy_;
@@ -137,8 +146,54 @@ private:
     double largest_;
 };
 
-/** The gradients around a line, and how they pull at it. Tap by tap for all columns, so that the
-inner loop of a sum is over columns and has no branch. */
+enum
+{
+    BLOCK = 4 //!< columns that are summed up at once
+};
+
+//! Sums of values, values times t and values times t^2, each in BLOCK parts.
+class BlockSums
+{
+public:
+    BlockSums()
+    {
+        for (int power = 0; power < 3; ++power)
+            std::fill(sums_[power], sums_[power] + BLOCK, 0.);
+    }
+    void add(const float* t, const float* values)
+    {
+#if CV_SIMD128_64F
+        const v_float32x4 ts = v_load(t), all = v_load(values);
+        addHalf(0, v_cvt_f64(ts), v_cvt_f64(all));
+        addHalf(2, v_cvt_f64_high(ts), v_cvt_f64_high(all));
+#else
+        for (int l = 0; l < BLOCK; ++l)
+        {
+            double value = values[l];
+            for (int power = 0; power < 3; ++power, value *= t[l])
+                sums_[power][l] += value;
+        }
+#endif
+    }
+    double sum(int power) const
+    {
+        const double* parts = sums_[power];
+        return (parts[0] + parts[1]) + (parts[2] + parts[3]);
+    }
+
+private:
+#if CV_SIMD128_64F
+    void addHalf(int l, const v_float64x2& t, v_float64x2 value)
+    {
+        for (int power = 0; power < 3; ++power, value = value * t)
+            v_store(sums_[power] + l, v_load(sums_[power] + l) + value);
+    }
+#endif
+    double sums_[3][BLOCK];
+};
+
+/** The gradients around a line, and how they pull at it. Tap by tap for a block of columns, so that
+the inner loop of a sum is over columns and has no branch. */
 class Profile
 {
 public:
@@ -147,31 +202,38 @@ public:
           taps_(cvFloor(2 * (REACH + MAX_OFFSET) / std::abs(columns.minor))), own_(0)
     {
         CV_DbgAssert(taps_ <= MAX_TAPS);
+        std::vector<int> firstTaps;
+        size_t nextOwn = 0;
         for (int i = signs.range().start; i < signs.range().end; ++i)
-            if (signs.at(i) != 0 && isInside(i))
-                index_.push_back(i);
-        for (size_t j = 0; j < signs.own().size(); ++j)
-            own_ += isInside(signs.own()[j]);
-        const size_t n = index_.size();
-        gradient_.resize(taps_ * n);
+        {
+            if (signs.at(i) == 0)
+                continue;
+            const bool isOwn = nextOwn < signs.own().size() && signs.own()[nextOwn] == i;
+            nextOwn += isOwn;
+            // Not so where a window would be cut off by the border of the image, and pull to one
+            // side.
+            const int first = cvCeil(columns_.centre(i) - 0.5 * taps_);
+            if (first < 0 || first + taps_ > columns_.limit)
+                continue;
+            index_.push_back(i);
+            firstTaps.push_back(first);
+            own_ += isOwn;
+        }
+        const size_t blocks = (index_.size() + BLOCK - 1) / BLOCK, n = blocks * BLOCK;
+        gradient_.resize(n * taps_);
         position_.resize(n);
         first_.resize(n);
-        distance_.resize(n);
-        weight_.resize(n);
         moment_.resize(n);
         change_.resize(n);
-        double components[MAX_TAPS];
-        for (size_t j = 0; j < n; ++j)
+        for (size_t j = 0; j < index_.size(); ++j)
         {
-            const int i = index_[j], first = firstTap(i);
+            const int i = index_[j], first = firstTaps[j];
             position_[j] = (float)(i - middle_);
             first_[j] = (float)columns.distance(i, first);
-            gradients.read(i, first, taps_, components);
             // So the largest one at an edge pixel becomes 1, whatever the unit is.
             const double scale = signs.at(i) / signs.largest();
-            for (int k = 0; k < taps_; ++k)
-                gradient_[k * n + j] =
-                    (float)std::min(std::max(scale * components[k], 0.), MOST_GRADIENT);
+            gradients.read(i, first, taps_, scale, MOST_GRADIENT,
+                           &gradient_[j / BLOCK * BLOCK * taps_ + j % BLOCK], BLOCK);
         }
     }
 
@@ -187,14 +249,8 @@ public:
         const double end = 0.5 * columns_.length;
         for (int i = 0; i < MAX_STEPS; ++i)
         {
-            sumUp(offset);
             Normal weights, changes;
-            for (size_t j = 0; j < index_.size(); ++j)
-            {
-                const double t = position_[j];
-                weights.add(t, weight_[j], moment_[j]);
-                changes.add(t, change_[j], moment_[j]);
-            }
+            sumUp(offset, weights, changes);
             // Newton's step where the sums are as steep as near their zero, else that of the
             // weighted mean.
             const Normal& system =
@@ -223,15 +279,7 @@ private:
     //! Weighted least squares of distances over columns.
     struct Normal
     {
-        double s = 0, st = 0, stt = 0, d = 0, dt = 0;
-        void add(double t, double weight, double moment)
-        {
-            s += weight;
-            st += weight * t;
-            stt += weight * t * t;
-            d += moment;
-            dt += moment * t;
-        }
+        double s, st, stt, d, dt;
         double determinant() const { return s * stt - st * st; }
         bool isDefinite() const { return s > 0 && determinant() > 1e-9 * s * stt; }
         void solve(Offset& offset) const
@@ -241,41 +289,63 @@ private:
         }
     };
 
-    int firstTap(int i) const { return cvCeil(columns_.centre(i) - 0.5 * taps_); }
-    //! Not so where a window would be cut off by the border of the image, and pull to one side.
-    bool isInside(int i) const
+    /** Sums over each column's pixels: weights, which are the gradient times
+    (1 - (distance / REACH)^2)^2, weighted distances, and how fast these change; and what they sum
+    up to. */
+    void sumUp(const Offset& offset, Normal& weights, Normal& changes)
     {
-        const int first = firstTap(i);
-        return first >= 0 && first + taps_ <= columns_.limit;
+        BlockSums w, c, m;
+        for (size_t j = 0; j < position_.size(); j += BLOCK)
+        {
+            float weight[BLOCK];
+            sumBlock(j, (float)offset.a, (float)offset.b, weight, &moment_[j], &change_[j]);
+            w.add(&position_[j], weight);
+            c.add(&position_[j], &change_[j]);
+            m.add(&position_[j], &moment_[j]);
+        }
+        const double d = m.sum(0), dt = m.sum(1);
+        const Normal byWeight = {w.sum(0), w.sum(1), w.sum(2), d, dt},
+                     byChange = {c.sum(0), c.sum(1), c.sum(2), d, dt};
+        weights = byWeight;
+        changes = byChange;
     }
 
-    /** The sums over each column's pixels: weights, which are the gradient times
-    (1 - (distance / REACH)^2)^2, weighted distances, and how fast these change. */
-    void sumUp(const Offset& offset)
+    void sumBlock(size_t j, float a, float b, float* weight, float* moment, float* change) const
     {
-        const int n = (int)index_.size();
-        const float a = (float)offset.a, b = (float)offset.b;
-        float *const distances = distance_.data(), *const weights = weight_.data(),
-                     *const moments = moment_.data(), *const changes = change_.data();
-        for (int j = 0; j < n; ++j)
+        const float unit = 1.f / (REACH * REACH);
+        const float* gradients = &gradient_[j * taps_];
+#if CV_SIMD128
+        const v_float32x4 zero = v_setzero_f32(), one = v_setall_f32(1), four = v_setall_f32(4),
+                          units = v_setall_f32(unit), step = v_setall_f32(step_);
+        const v_float32x4 first =
+            v_load(&first_[j]) - (v_setall_f32(a) + v_setall_f32(b) * v_load(&position_[j]));
+        v_float32x4 tap = zero, weights = zero, moments = zero, changes = zero;
+        for (int k = 0; k < taps_; ++k, gradients += BLOCK, tap = tap + one)
         {
-            distances[j] = first_[j] - (a + b * position_[j]);
-            weights[j] = moments[j] = changes[j] = 0;
+            const v_float32x4 distance = first + tap * step, u = distance * distance * units,
+                              rest = v_max(one - u, zero), slope = v_load(gradients) * rest;
+            weights = weights + slope * rest;
+            moments = moments + slope * rest * distance;
+            changes = changes + slope * (rest - four * u);
         }
-        for (int k = 0; k < taps_; ++k)
+        v_store(weight, weights);
+        v_store(moment, moments);
+        v_store(change, changes);
+#else
+        for (int l = 0; l < BLOCK; ++l)
         {
-            const float* const gradients = gradient_.data() + (size_t)k * n;
-            const float shift = k * step_;
-            for (int j = 0; j < n; ++j)
+            const float first = first_[j + l] - (a + b * position_[j + l]);
+            weight[l] = moment[l] = change[l] = 0;
+            for (int k = 0; k < taps_; ++k)
             {
-                const float distance = distances[j] + shift;
-                const float u = distance * distance * (1.f / (REACH * REACH));
-                const float rest = std::max(1 - u, 0.f), slope = gradients[j] * rest;
-                weights[j] += slope * rest;
-                moments[j] += slope * rest * distance;
-                changes[j] += slope * (rest - 4 * u);
+                const float distance = first + k * step_, u = distance * distance * unit,
+                            rest = std::max(1 - u, 0.f), slope = gradients[k * BLOCK + l] * rest;
+                weight[l] += slope * rest;
+                moment[l] += slope * rest * distance;
+                change[l] += slope * (rest - 4 * u);
             }
         }
+#endif
     }
 
     //! What is left of the sums after a small step, to first order; from the first column on.
@@ -295,12 +365,12 @@ private:
     double middle_;
     float step_; // from tap to tap, pixels along the normal
     int taps_, own_;
-    std::vector<int> index_;      // of the columns, along the major axis
-    std::vector<float> gradient_; // by tap, then column; of the edge's sign, 0 where of the other
+    std::vector<int> index_; // of the columns, along the major axis
+    // In blocks of columns, the last one filled up with gradients of 0.
+    std::vector<float> gradient_; // by block, tap and column; 0 where not of the edge's sign
     std::vector<float> position_; // of the columns, from the middle of the image
     std::vector<float> first_;    // distances of the first taps from the line
-    std::vector<float> distance_; // the same from the line moved by an offset
-    std::vector<float> weight_, moment_, change_;
+    std::vector<float> moment_, change_;
 };
 
 } // namespace
