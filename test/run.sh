@@ -17,5 +17,8 @@ if command -v ccache >/dev/null; then
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache
 fi
 
+# Tests that measure nothing run beside others.
+export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}
+
 test/build_preset.sh release
 ctest --preset release "$@"

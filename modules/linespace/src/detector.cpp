@@ -5,12 +5,11 @@
 // The public detector: checks arguments, keeps parameters, chooses the back end and calls the
 // stages in order. No mathematics of its own.
 
-#include "acontrario.hpp"
 #include "ascent.hpp"
 #include "backends.hpp"
+#include "gradients.hpp"
 #include "line_geometry.hpp"
-#include "orientation.hpp"
-#include "peaks.hpp"
+#include "parameters.hpp"
 #include "refine.hpp"
 #include "selection.hpp"
 
@@ -23,14 +22,6 @@ namespace linespace {
 
 namespace {
 
-//! Throws unless low <= value <= high; NaN is outside of any range.
-template<class Value>
-void checkRange(Value value, Value low, Value high, const char* name, const char* allowed)
-{
-    if (!(value >= low && value <= high))
-        CV_Error_(Error::StsOutOfRange, ("%s = %.15g: must be %s", name, (double)value, allowed));
-}
-
 void checkImage(const Mat& image, const char* name)
 {
     if (image.empty())
@@ -42,136 +33,6 @@ void checkImage(const Mat& image, const char* name)
     if (image.dims != 2)
         CV_Error_(Error::StsBadSize, ("%s has %d dimensions: must be two", name, image.dims));
 }
-
-//! A value that is not finite, if there is one. (To cv::checkRange the largest float is none.)
-bool findNotFinite(const Mat& values, Point& where)
-{
-    const float most = std::numeric_limits<float>::max();
-    for (int y = 0; y < values.rows; ++y)
-    {
-        const float* const row = values.ptr<float>(y);
-        int wrong = 0; // without a branch, for speed
-        for (int x = 0; x < values.cols; ++x)
-            wrong |= !(std::abs(row[x]) <= most);
-        for (int x = 0; wrong && x < values.cols; ++x)
-            if (!(std::abs(row[x]) <= most))
-            {
-                where = Point(x, y);
-                return true;
-            }
-    }
-    return false;
-}
-
-struct Parameters
-{
-    int threshold, maxLines, method, cellSize, backend, suppression, suppressionRadius, selection,
-        refine, poolSize, memoryLimit;
-    double suppressionDistance, candidateRatio, minTheta, maxTheta, orientationTolerance,
-        falseAlarms;
-    bool edgeWeights;
-
-    Parameters()
-        : threshold(0), maxLines(0), method(METHOD_CASCADED), cellSize(8), backend(BACKEND_AUTO),
-          suppression(SUPPRESS_RING), suppressionRadius(2), selection(SELECT_PEAKS),
-          refine(REFINE_LEAST_SQUARES), poolSize(4096), memoryLimit(8192), suppressionDistance(3),
-          candidateRatio(0.75), minTheta(0), maxTheta(CV_PI), orientationTolerance(22.5),
-          falseAlarms(1), edgeWeights(false)
-    {
-    }
-
-    void check() const
-    {
-        const double most = std::numeric_limits<double>::max();
-        checkRange(threshold, 0, INT_MAX, "threshold", "0 or more votes");
-        checkRange(maxLines, 0, INT_MAX, "maxLines", "0 (all) or more");
-        checkRange(method, (int)METHOD_EXACT, (int)METHOD_CASCADED, "method",
-                   "METHOD_EXACT (0) or METHOD_CASCADED (1)");
-        checkRange(cellSize, 2, 64, "cellSize", "2 to 64 pixels");
-        checkRange(backend, (int)BACKEND_AUTO, (int)BACKEND_OPENGL, "backend",
-                   "one of enum Backend, 0 to 4");
-        checkRange(suppression, (int)SUPPRESS_RING, (int)SUPPRESS_GREEDY, "suppression",
-                   "one of enum Suppression, 0 to 2");
-        checkRange(suppressionRadius, 0, 64, "suppressionRadius", "0 to 64 border points");
-        checkRange(suppressionDistance, 0., most, "suppressionDistance",
-                   "0 or more pixels, finite");
-        checkRange(selection, (int)SELECT_PEAKS, (int)SELECT_EXPLAIN, "selection",
-                   "SELECT_PEAKS (0) or SELECT_EXPLAIN (1)");
-        checkRange(refine, (int)REFINE_NONE, (int)REFINE_LEAST_SQUARES, "refine",
-                   "REFINE_NONE (0) or REFINE_LEAST_SQUARES (1)");
-        checkRange(candidateRatio, 0., 1., "candidateRatio", "0 to 1");
-        checkRange(poolSize, 1, INT_MAX, "poolSize", "1 or more");
-        checkRange(minTheta, -1e6, 1e6, "minTheta",
-                   "a finite angle in radians, at most 1e6 in size");
-        checkRange(maxTheta, -1e6, 1e6, "maxTheta",
-                   "a finite angle in radians, at most 1e6 in size");
-        if (minTheta > maxTheta)
-            CV_Error_(Error::StsOutOfRange,
-                      ("minTheta = %.15g is larger than maxTheta = %.15g: must not be", minTheta,
-                       maxTheta));
-        checkRange(orientationTolerance, std::numeric_limits<double>::min(), 90.,
-                   "orientationTolerance", "more than 0 and at most 90 degrees");
-        checkRange(falseAlarms, std::numeric_limits<double>::min(), most, "falseAlarms",
-                   "more than 0, finite");
-        checkRange(memoryLimit, 1, INT_MAX, "memoryLimit", "1 MiB or more");
-    }
-};
-
-/** Whose directions vote; none for a map that is not oriented. Empty gradients are estimated from
-the edge map. */
-struct Gradients
-{
-    bool isOriented;
-    Mat dx, dy;
-
-    void check(Size size) const
-    {
-        const struct
-        {
-            const Mat& values;
-            const char* name;
-        } both[2] = {{dx, "dx"}, {dy, "dy"}};
-        if (dx.empty() && dy.empty())
-            return;
-        for (const auto& one : both)
-        {
-            if (one.values.empty())
-                CV_Error_(Error::StsBadSize,
-                          ("%s is empty: must not be, unless both dx and dy are", one.name));
-            if ((one.values.type() != CV_16SC1 && one.values.type() != CV_32FC1) ||
-                one.values.dims != 2)
-                CV_Error_(
-                    Error::StsUnsupportedFormat,
-                    ("%s has %d dimensions and type %s: must be CV_16SC1 or CV_32FC1 with two "
-                     "dimensions",
-                     one.name, one.values.dims, typeToString(one.values.type()).c_str()));
-            if (one.values.size() != size)
-                CV_Error_(Error::StsUnmatchedSizes,
-                          ("%s has %d x %d pixels: must have the %d x %d of edges", one.name,
-                           one.values.cols, one.values.rows, size.width, size.height));
-        }
-        if (dx.type() != dy.type())
-            CV_Error_(Error::StsUnmatchedFormats,
-                      ("dx has type %s and dy %s: must be the same",
-                       typeToString(dx.type()).c_str(), typeToString(dy.type()).c_str()));
-        for (const auto& one : both)
-        {
-            Point bad;
-            if (one.values.type() == CV_32FC1 && findNotFinite(one.values, bad))
-                CV_Error_(Error::StsOutOfRange, ("%s at (%d, %d) = %g: must be finite", one.name,
-                                                 bad.x, bad.y, one.values.at<float>(bad)));
-        }
-    }
-
-    Mat bits(const Mat& votes, double tolerance) const
-    {
-        if (!dx.empty())
-            return directionBits(votes, dx, dy, tolerance);
-        Mat estimatedX, estimatedY;
-        estimateGradients(votes, estimatedX, estimatedY);
-        return directionBits(votes, estimatedX, estimatedY, tolerance);
-    }
-};
 
 //! Clears a table's row of cells and writes both triangles of one cell into the output.
 void writeCell(const VoteTable& table, const Cell& cell, size_t cellIndex, Mat out)
@@ -305,40 +166,11 @@ public:
     void write(FileStorage& fs) const CV_OVERRIDE
     {
         writeFormat(fs);
-        const Parameters& p = parameters_;
-        fs << "threshold" << p.threshold << "maxLines" << p.maxLines << "method" << p.method;
-        fs << "cellSize" << p.cellSize << "backend" << p.backend << "suppression" << p.suppression;
-        fs << "suppressionRadius" << p.suppressionRadius << "suppressionDistance"
-           << p.suppressionDistance;
-        fs << "selection" << p.selection << "refine" << p.refine << "candidateRatio"
-           << p.candidateRatio << "poolSize" << p.poolSize;
-        fs << "minTheta" << p.minTheta << "maxTheta" << p.maxTheta << "orientationTolerance"
-           << p.orientationTolerance << "falseAlarms" << p.falseAlarms;
-        fs << "edgeWeights" << (int)p.edgeWeights << "memoryLimit" << p.memoryLimit;
+        parameters_.write(fs);
     }
     void read(const FileNode& fn) CV_OVERRIDE
     {
-        Parameters p; // a parameter that the file lacks has its default
-        readInto(fn, "threshold", p.threshold);
-        readInto(fn, "maxLines", p.maxLines);
-        readInto(fn, "method", p.method);
-        readInto(fn, "cellSize", p.cellSize);
-        readInto(fn, "backend", p.backend);
-        readInto(fn, "suppression", p.suppression);
-        readInto(fn, "suppressionRadius", p.suppressionRadius);
-        readInto(fn, "suppressionDistance", p.suppressionDistance);
-        readInto(fn, "selection", p.selection);
-        readInto(fn, "refine", p.refine);
-        readInto(fn, "candidateRatio", p.candidateRatio);
-        readInto(fn, "poolSize", p.poolSize);
-        readInto(fn, "minTheta", p.minTheta);
-        readInto(fn, "maxTheta", p.maxTheta);
-        readInto(fn, "orientationTolerance", p.orientationTolerance);
-        readInto(fn, "falseAlarms", p.falseAlarms);
-        readInto(fn, "edgeWeights", p.edgeWeights);
-        readInto(fn, "memoryLimit", p.memoryLimit);
-        p.check();
-        parameters_ = p;
+        parameters_ = Parameters::read(fn);
     }
     //! Never: the parameters are always complete. (Algorithm::load gives up on what is empty after
     //! read.)
@@ -372,24 +204,13 @@ private:
                       [&]()
                       {
                           EdgeMap map;
-                          const Count counted = count(edges, gradients, -1, map);
+                          const Counting counting = count(edges, gradients, -1, map);
                           std::vector<Vec3f> found, deviations;
-                          findLines(map, counted, found, deviations);
+                          findLines(map, counting, found, deviations);
                           writeVectors(found, lines);
                           deviations_.swap(deviations);
-                          keep(counted);
+                          keep(counting);
                       });
-    }
-
-    template<class Value>
-    static void readInto(const FileNode& fn, const char* name, Value& value)
-    {
-        const FileNode node = fn[name];
-        if (node.empty())
-            return;
-        if (!node.isInt() && !node.isReal())
-            CV_Error_(Error::StsParseError, ("%s is not a number: must be one", name));
-        node >> value;
     }
 
     static void checkOutput(OutputArray out, const char* name)
@@ -458,25 +279,25 @@ private:
     }
 
     //! What votes were counted by.
-    struct Count
+    struct Counting
     {
         Ptr<const Plan> plan;
         Ptr<Executor> executor;
     };
 
     //! What the detector tells of its last call from now on; nothing of the call can fail any more.
-    void keep(const Count& counted)
+    void keep(const Counting& counting)
     {
-        plan_ = counted.plan;
+        plan_ = counting.plan;
         planMethod_ = parameters_.method;
         planCellSize_ = parameters_.cellSize;
-        executor_ = counted.executor;
+        executor_ = counting.executor;
         activeBackend_ = executor_->backend();
     }
 
     //! Counts the votes of a level (-1: the last one) into result_, and changes nothing else.
-    Count count(InputArray input, const Gradients& gradients, int level, EdgeMap& edges,
-                bool writesTable = false)
+    Counting count(InputArray input, const Gradients& gradients, int level, EdgeMap& edges,
+                   bool writesTable = false)
     {
         const Mat image = input.getMat();
         checkImage(image, "edges");
@@ -511,8 +332,8 @@ private:
         }
         countVotes(*executor, edges, *plan, parameters_.method == METHOD_EXACT, level, spare_,
                    result_);
-        const Count counted = {plan, executor};
-        return counted;
+        const Counting counting = {plan, executor};
+        return counting;
     }
 
     Mat votingPixels(const Mat& image) const
@@ -558,8 +379,8 @@ private:
                                                     typeToString(out.type()).c_str()));
         EdgeMap map;
         const Gradients none = {false, Mat(), Mat()};
-        const Count counted = count(edges, none, level, map, true);
-        const Plan& plan = *counted.plan;
+        const Counting counting = count(edges, none, level, map, true);
+        const Plan& plan = *counting.plan;
         const int l = level < 0 ? plan.levelCount() - 1 : level;
         const Level& shape = plan.level(l);
         const int points = shape.cell.borderCount();
@@ -574,75 +395,50 @@ private:
             table.copyTo(out);
         else
             out.assign(table);
-        keep(counted);
-    }
-
-    //! How many edge pixels vote for the chords of each bin; of a map that is not oriented, for
-    //! all. Estimated directions follow the pixels of the chord itself, so they are no independent
-    //! evidence against chance: all pixels, to be on the safe side.
-    static std::vector<int> votersOf(const EdgeMap& edges)
-    {
-        if (!edges.isOriented() || edges.isEstimated)
-            return std::vector<int>(1, countNonZero(edges.votes));
-        std::vector<int> voters(DIRECTION_BINS, 0);
-        for (int y = 0; y < edges.directions.rows; ++y)
-        {
-            const ushort* bits = edges.directions.ptr<ushort>(y);
-            for (int x = 0; x < edges.directions.cols; ++x)
-                for (int bin = 0; bits[x] >> bin; ++bin)
-                    voters[bin] += bits[x] >> bin & 1;
-        }
-        return voters;
+        keep(counting);
     }
 
     Requirement requirementFor(const EdgeMap& edges, const Plan& plan) const
     {
-        Requirement requirement;
-        requirement.threshold = parameters_.threshold;
         if (parameters_.threshold > 0)
-            return requirement;
-        // Where the mask is 0 nothing can vote; a chord's length still counts it, which is on the
-        // safe side.
+            return moreVotesThan(parameters_.threshold);
         const double pixels = mask_.empty() ? (double)edges.votes.total() : countNonZero(mask_);
-        const int longest = std::max(edges.votes.cols, edges.votes.rows);
-        const std::vector<int> voters = votersOf(edges);
-        // Nothing shorter than the first length that can be significant needs to be looked at.
-        requirement.threshold = INT_MAX;
-        for (size_t bin = 0; bin < voters.size(); ++bin)
-        {
-            const double density = pixels > 0 ? voters[bin] / pixels : 0;
-            const std::vector<int> votes = significantVotes(
-                longest, density, (double)plan.frame().chordCount(), parameters_.falseAlarms);
-            for (int length = 0; length <= longest; ++length)
-                if (votes[length] <= length)
-                {
-                    requirement.threshold =
-                        std::min(requirement.threshold, std::max(0, votes[length] - 1));
-                    break;
-                }
-            requirement.pixels.push_back(votes);
-        }
-        return requirement;
+        return significance(edges, pixels, plan, parameters_.falseAlarms);
     }
 
-    void findLines(const EdgeMap& edges, const Count& counted, std::vector<Vec3f>& lines,
+    void findLines(const EdgeMap& edges, const Counting& counting, std::vector<Vec3f>& lines,
                    std::vector<Vec3f>& deviations)
     {
-        const Plan& plan = *counted.plan;
+        const Plan& plan = *counting.plan;
         const Requirement requirement = requirementFor(edges, plan);
         if (requirement.threshold == INT_MAX)
             return;
         const AngleInterval angles = {parameters_.minTheta, parameters_.maxTheta};
-        const Cell& frame = plan.frame();
+        planes_.reset(edges, plan.frame());
+        std::vector<Candidate> candidates = candidatesFor(requirement, angles, plan);
+        if (parameters_.method != METHOD_EXACT) // whose table holds exact votes
+            recount(edges, plan, *counting.executor, candidates);
+        removeIf(candidates,
+                 [&](const Candidate& candidate)
+                 {
+                     return !requirement.isMet(planes_, plan, candidate) ||
+                            !isInInterval(plan.frame(), angles, candidate);
+                 });
+        const std::vector<Selected> chosen = select(edges, plan, requirement, angles, candidates);
+        for (size_t i = 0; i < chosen.size(); ++i)
+            report(chosen[i], angles, lines, deviations);
+    }
 
+    //! Those of the table whose exact votes may meet the requirement.
+    std::vector<Candidate> candidatesFor(const Requirement& requirement,
+                                         const AngleInterval& angles, const Plan& plan) const
+    {
         // The exact method's votes need no second count and no lower threshold.
         const bool exact = parameters_.method == METHOD_EXACT;
         const double ratio = exact ? 1 : parameters_.candidateRatio;
-        const int minVotes = cvFloor(ratio * requirement.threshold);
-        const bool parallel = ascentRadius() > 0 && parameters_.suppression == SUPPRESS_RING &&
-                              parameters_.suppressionRadius <= MAX_ASCENT_RADIUS;
+        const Cell& frame = plan.frame();
         Wanted wanted;
-        wanted.threshold = minVotes;
+        wanted.threshold = cvFloor(ratio * requirement.threshold);
         wanted.most =
             !exact && parameters_.maxLines > 0 ? poolSize() : std::numeric_limits<size_t>::max();
         if (!requirement.pixels.empty() || !angles.isFull())
@@ -651,48 +447,45 @@ private:
                 return requirement.canBeMet(plan, candidate, ratio) &&
                        isInInterval(frame, angles, candidate);
             };
-        std::vector<Candidate> candidates =
-            parallel ? findParallelMaxima(result_, frame, wanted)
-                     : findCandidates(result_, frame, wanted, parameters_.suppression,
-                                      parameters_.suppressionRadius);
-        const bool explain = parameters_.selection == SELECT_EXPLAIN;
-        planes_.reset(edges, frame);
-        if (!exact)
-            recount(edges, plan, *counted.executor, candidates);
-        removeIf(candidates,
-                 [&](const Candidate& candidate)
-                 {
-                     return !requirement.isMet(planes_, plan, candidate) ||
-                            !isInInterval(frame, angles, candidate);
-                 });
+        const bool climbs = ascentRadius() > 0 && parameters_.suppression == SUPPRESS_RING &&
+                            parameters_.suppressionRadius <= MAX_ASCENT_RADIUS;
+        return climbs ? findParallelMaxima(result_, frame, wanted)
+                      : findCandidates(result_, frame, wanted, parameters_.suppression,
+                                       parameters_.suppressionRadius);
+    }
+
+    std::vector<Selected> select(const EdgeMap& edges, const Plan& plan,
+                                 const Requirement& requirement, const AngleInterval& angles,
+                                 const std::vector<Candidate>& candidates)
+    {
         SelectionRule rule;
         rule.requirement = requirement;
-        rule.explain = explain;
+        rule.explain = parameters_.selection == SELECT_EXPLAIN;
         rule.distance = parameters_.suppressionDistance;
         rule.most = parameters_.maxLines > 0 ? (size_t)parameters_.maxLines
                                              : std::numeric_limits<size_t>::max();
         rule.refine = [&](Chord chord)
         {
-            return refined(edges, frame, chord, angles);
+            return refined(edges, plan.frame(), chord, angles);
         };
-        if (explain)
+        if (rule.explain)
             planes_.copyTo(left_);
-        const std::vector<Selected> chosen =
-            selectLines(plan, rule, candidates, explain ? left_ : planes_);
-        for (size_t i = 0; i < chosen.size(); ++i)
-        {
-            FittedLine fitted = chosen[i].fitted;
-            const bool wasNegative = std::signbit(fitted.line.rho);
-            angles.represent(fitted.line);
-            if (std::signbit(fitted.line.rho) != wasNegative) // also of a rho of 0
-                fitted.covariance.rhoTheta = -fitted.covariance.rhoTheta;
-            const Vec2f polar = angles.round(fitted.line);
-            if (!angles.contains(
-                    polar[1])) // an interval narrower than a float's step may hold none
-                continue;
-            lines.push_back(Vec3f(polar[0], polar[1], (float)chosen[i].candidate.votes));
-            deviations.push_back(fitted.covariance.deviations());
-        }
+        return selectLines(plan, rule, candidates, rule.explain ? left_ : planes_);
+    }
+
+    static void report(const Selected& selected, const AngleInterval& angles,
+                       std::vector<Vec3f>& lines, std::vector<Vec3f>& deviations)
+    {
+        FittedLine fitted = selected.fitted;
+        const bool wasNegative = std::signbit(fitted.line.rho);
+        angles.represent(fitted.line);
+        if (std::signbit(fitted.line.rho) != wasNegative) // also of a rho of 0
+            fitted.covariance.rhoTheta = -fitted.covariance.rhoTheta;
+        const Vec2f polar = angles.round(fitted.line);
+        if (!angles.contains(polar[1])) // an interval narrower than a float's step may hold none
+            return;
+        lines.push_back(Vec3f(polar[0], polar[1], (float)selected.candidate.votes));
+        deviations.push_back(fitted.covariance.deviations());
     }
 
     //! The table of METHOD_EXACT holds exact votes: its maxima are maxima of these.

@@ -1,0 +1,87 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+#include "gradients.hpp"
+
+#include "orientation.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace cv {
+namespace linespace {
+
+namespace {
+
+//! A value that is not finite, if there is one. (To cv::checkRange the largest float is none.)
+bool findNotFinite(const Mat& values, Point& where)
+{
+    const float most = std::numeric_limits<float>::max();
+    for (int y = 0; y < values.rows; ++y)
+    {
+        const float* const row = values.ptr<float>(y);
+        int wrong = 0; // without a branch, for speed
+        for (int x = 0; x < values.cols; ++x)
+            wrong |= !(std::abs(row[x]) <= most);
+        for (int x = 0; wrong && x < values.cols; ++x)
+            if (!(std::abs(row[x]) <= most))
+            {
+                where = Point(x, y);
+                return true;
+            }
+    }
+    return false;
+}
+
+} // namespace
+
+void Gradients::check(Size size) const
+{
+    const struct
+    {
+        const Mat& values;
+        const char* name;
+    } both[2] = {{dx, "dx"}, {dy, "dy"}};
+    if (dx.empty() && dy.empty())
+        return;
+    for (const auto& one : both)
+    {
+        if (one.values.empty())
+            CV_Error_(Error::StsBadSize,
+                      ("%s is empty: must not be, unless both dx and dy are", one.name));
+        if ((one.values.type() != CV_16SC1 && one.values.type() != CV_32FC1) ||
+            one.values.dims != 2)
+            CV_Error_(Error::StsUnsupportedFormat,
+                      ("%s has %d dimensions and type %s: must be CV_16SC1 or CV_32FC1 with two "
+                       "dimensions",
+                       one.name, one.values.dims, typeToString(one.values.type()).c_str()));
+        if (one.values.size() != size)
+            CV_Error_(Error::StsUnmatchedSizes,
+                      ("%s has %d x %d pixels: must have the %d x %d of edges", one.name,
+                       one.values.cols, one.values.rows, size.width, size.height));
+    }
+    if (dx.type() != dy.type())
+        CV_Error_(Error::StsUnmatchedFormats,
+                  ("dx has type %s and dy %s: must be the same", typeToString(dx.type()).c_str(),
+                   typeToString(dy.type()).c_str()));
+    for (const auto& one : both)
+    {
+        Point bad;
+        if (one.values.type() == CV_32FC1 && findNotFinite(one.values, bad))
+            CV_Error_(Error::StsOutOfRange, ("%s at (%d, %d) = %g: must be finite", one.name, bad.x,
+                                             bad.y, one.values.at<float>(bad)));
+    }
+}
+
+Mat Gradients::bits(const Mat& votes, double tolerance) const
+{
+    if (!dx.empty())
+        return directionBits(votes, dx, dy, tolerance);
+    Mat estimatedX, estimatedY;
+    estimateGradients(votes, estimatedX, estimatedY);
+    return directionBits(votes, estimatedX, estimatedY, tolerance);
+}
+
+} // namespace linespace
+} // namespace cv
