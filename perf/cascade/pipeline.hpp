@@ -36,7 +36,7 @@ struct PipelineParameters
     double candidateRatio; //!< and more than this share of it in the table; 1 for the exact table
     Candidates candidates = Candidates::RING_MAXIMA;
     Ascent ascent = Ascent::NONE;
-    std::size_t pool = 4096;
+    std::size_t pool = 8192;
     int radius = 2;      //!< of the ring neighbourhood, border points
     double distance = 3; //!< pixels, of near-duplicates
     std::size_t maxLines = 100;

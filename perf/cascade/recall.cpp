@@ -160,7 +160,7 @@ const std::vector<int>& cellSizes()
 
 const std::vector<int>& poolSizes()
 {
-    static const std::vector<int> sizes = {1024, 4096, 16384, INT_MAX};
+    static const std::vector<int> sizes = {1024, 4096, 8192, 16384, INT_MAX};
     return sizes;
 }
 
@@ -259,8 +259,8 @@ void writeFrameTable(std::ostream& out, const std::vector<FrameRecall>& recalls)
 
 void writeRecallTables(std::ostream& out, const std::vector<Recall>& recalls)
 {
-    out << std::fixed
-        << "### At the defaults\n\nk = 8, pool 4096, by the number of lines asked "
+    out << std::fixed << "### At the defaults\n\nk = 8, pool " << Detection().poolSize
+        << ", by the number of lines asked "
            "for; percent of the exact method's lines.\n\n";
     writeGroups(out, recalls);
     for (const bool synthetic : {false, true})

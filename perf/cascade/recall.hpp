@@ -18,7 +18,7 @@ namespace cascade {
 
 constexpr int STRONGEST = 100; //!< lines of the exact method that are looked for
 constexpr int LONGER = 105;    //!< 5 % more lines
-constexpr int LONGEST = 256;   //!< the longest list that the default pool is not enlarged for
+constexpr int LONGEST = 256;   //!< the longest list that a pool of 4096 is not enlarged for
 
 //! Parameters of a detection; the others are the detector's defaults.
 struct Detection
@@ -27,7 +27,7 @@ struct Detection
     int refine = 0;
     int maxLines = STRONGEST;
     int cellSize = 8;    //!< 0: the exact method
-    int poolSize = 4096; //!< INT_MAX: all candidates
+    int poolSize = 8192; //!< INT_MAX: all candidates
     double candidateRatio = 0.75;
     int suppressionRadius = 2;
 };

@@ -51,7 +51,7 @@ constexpr const char* CROSSINGS_TEXT = R"(## Rules of the crossing
 
 The same images, not oriented. Ratio of the cascade's votes to the exact ones over the chords with at
 least n/4 = 64 exact votes; percent of the exact table's lines by ring maxima without ascent, and by
-parallel maxima that climb to a ring maximum, both with a pool of 4096; cost of the merges, all levels
+parallel maxima that climb to a ring maximum, both with a pool of 8192; cost of the merges, all levels
 together. Ties without bias: to the larger point if the number of the chord's end on the first child plus
 that of the crossing is even. Both neighbours: the border points on both sides of the crossing, of two
 sums the larger one.

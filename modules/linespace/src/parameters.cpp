@@ -28,7 +28,7 @@ void readInto(const FileNode& fn, const char* name, Value& value)
 Parameters::Parameters()
     : threshold(0), maxLines(0), method(METHOD_CASCADED), cellSize(8), backend(BACKEND_AUTO),
       suppression(SUPPRESS_RING), suppressionRadius(2), selection(SELECT_PEAKS),
-      refine(REFINE_LEAST_SQUARES), poolSize(4096), memoryLimit(8192), suppressionDistance(3),
+      refine(REFINE_LEAST_SQUARES), poolSize(8192), memoryLimit(8192), suppressionDistance(3),
       candidateRatio(0.75), minTheta(0), maxTheta(CV_PI), orientationTolerance(22.5),
       falseAlarms(1), edgeWeights(false)
 {

@@ -76,7 +76,7 @@ TEST(Linespace_Parameters, defaults)
     EXPECT_EQ(REFINE_LEAST_SQUARES, detector->getRefine());
     EXPECT_EQ(SELECT_PEAKS, detector->getSelection());
     EXPECT_EQ(0.75, detector->getCandidateRatio());
-    EXPECT_EQ(4096, detector->getPoolSize());
+    EXPECT_EQ(8192, detector->getPoolSize());
     EXPECT_EQ(0, minTheta);
     EXPECT_EQ(CV_PI, maxTheta);
     EXPECT_EQ(22.5, detector->getOrientationTolerance());

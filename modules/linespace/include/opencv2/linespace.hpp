@@ -216,7 +216,7 @@ public:
     CV_WRAP virtual double getCandidateRatio() const = 0;
 
     /** How many candidates, the strongest first, are counted exactly: at least this many and at
-    least 16 maxLines, >= 1. With maxLines = 0 (all lines) every candidate is. Default 4096. */
+    least 16 maxLines, >= 1. With maxLines = 0 (all lines) every candidate is. Default 8192. */
     CV_WRAP virtual void setPoolSize(int poolSize) = 0;
     CV_WRAP virtual int getPoolSize() const = 0;
 
