@@ -37,7 +37,7 @@ public:
             for (size_t i = 0; i < climbing.size(); ++i)
                 if (isInStrips(climbing[i]))
                     strips_.want(climbing[i].chord(), radius_);
-            strips_.countWanted();
+            strips_.countWanted(counter_);
             takeSteps(climbing, next);
             size_t left = 0;
             for (size_t i = 0; i < climbing.size(); ++i)

@@ -16,23 +16,27 @@
 namespace cv {
 namespace linespace {
 
+//! Added to distances, so that a pixel exactly as far away is within, however its distance rounds.
+const double TIE = 1e-6;
+
 //! Edge pixels within this many pixels of a line support it: half a pixel is the chord's raster,
 //! half is that of the edge's own line.
-const double SUPPORT_DISTANCE = 1;
+const double SUPPORT_DISTANCE = 1 + TIE;
 
-//! Which edge pixels can support the line of a chord: those that carry the bit of its bin.
+//! Which edge pixels can support the line of a chord: those that carry the bit of its bin,
+//! of a map that is not oriented, all.
 class Support
 {
 public:
     enum
     {
-        WINDOW = EdgePlanes::MARGIN //!< pixels that are read at once
+        WINDOW = 16 //!< pixels that are read at once
     };
-    Support(const EdgePlanes& planes, ushort bit, bool xMajor)
-        : plane_(planes.across(xMajor)[!planes.isOriented() ? EdgePlanes::VOTES
-                                       : bit < 256          ? EdgePlanes::LOW_BITS
-                                                            : EdgePlanes::HIGH_BITS]),
-          bits_(!planes.isOriented() ? 255 : (uchar)(bit < 256 ? bit : bit >> 8))
+    static_assert((int)WINDOW <= (int)EdgePlanes::MARGIN, "reads beyond the last pixel of a row");
+    Support(const EdgePlanes& planes, int bin, bool xMajor)
+        : plane_(planes.across(
+              xMajor)[planes.isOriented() ? EdgePlanes::planeOf(bin) : EdgePlanes::VOTES]),
+          bits_(planes.isOriented() ? EdgePlanes::bitOf(bin) : 255)
     {
     }
     //! Bit b is that of pixel k + b of column i.
@@ -75,7 +79,6 @@ struct Columns
     double centre(int i) const { return (rho - i * major) / minor; }
     //! Signed distance of pixel k of column i from the line.
     double distance(int i, int k) const { return i * major + k * minor - rho; }
-    Point pixel(int i, int k) const { return xMajor ? Point(i, k) : Point(k, i); }
 
     //! Those columns of the image where pixels of the image are within a distance of the line, and
     //! maybe one more at either end.
@@ -92,8 +95,8 @@ struct Columns
                      (int)std::min(std::max(last + 1, 0.), (double)length));
     }
 
-    /** Calls visit(i, k, mask) for the columns with supporting pixels within a distance of the line:
-    bit b of the mask is that of pixel k + b of column i. */
+    /** Calls visit(i, k, mask) for the columns with supporting pixels within a distance of the
+    line: bit b of the mask is that of pixel k + b of column i. */
     template<class Visit>
     void forEachWithin(double distance, const Support& support, Visit visit) const
     {

@@ -46,7 +46,7 @@ int ChordCounter::votes(Chord chord) const
                         [=](ptrdiff_t pixel) { return values[pixel]; });
     }
     const int bin = directionBin(frame_, chord), shift = bin % 8;
-    const EdgePlanes::Plane& own = planes[bin < 8 ? EdgePlanes::LOW_BITS : EdgePlanes::HIGH_BITS];
+    const EdgePlanes::Plane& own = planes[EdgePlanes::planeOf(bin)];
     const uchar* const bits = own.row(0);
     if (!planes_.isWeighted())
         return sumAlong(raster, own.stride,

@@ -251,7 +251,8 @@ private:
     double selectionBytes(const Plan& plan, bool oriented) const
     {
         // Of the whole map, of what lines taken leave of it, and of an executor that counts again.
-        const int copies = 1 + (parameters_.selection == SELECT_EXPLAIN) + (ascentRadius() == 0);
+        const bool recounts = parameters_.method != METHOD_EXACT && ascentRadius() == 0;
+        const int copies = 1 + (parameters_.selection == SELECT_EXPLAIN) + recounts;
         return copies * EdgePlanes::memory(plan.frame(), parameters_.edgeWeights, oriented) +
                (ascentRadius() > 0
                     ? ascentMemory(plan.frame(), parameters_.maxLines > 0 ? poolSize() : 0)
@@ -512,7 +513,7 @@ private:
         if (ascentRadius() > 0)
         {
             const ChordCounter counter(planes_);
-            strips_.reset(counter, plan.frame());
+            strips_.reset(plan.frame());
             climbToMaxima(counter, plan.frame(), ascentRadius(), strips_, candidates);
             return;
         }
@@ -532,7 +533,7 @@ private:
         const FittedLine line = chordLine(frame, chord);
         if (parameters_.refine == REFINE_NONE)
             return line;
-        const FittedLine result = refineLine(edges, planes_, directionBit(frame, chord), line);
+        const FittedLine result = refineLine(edges, planes_, directionBin(frame, chord), line);
         Line inInterval = result.line;
         return angles.represent(inInterval) ? result : line;
     }

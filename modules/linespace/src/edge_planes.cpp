@@ -29,19 +29,26 @@ size_t EdgePlanes::planeBytes(int copy) const
     return (width + MARGIN) * height + MARGIN;
 }
 
+size_t EdgePlanes::bytes() const
+{
+    return (has(VOTES) + has(LOW_BITS) + has(HIGH_BITS)) * (planeBytes(0) + planeBytes(1));
+}
+
 void EdgePlanes::layOut()
 {
-    const size_t planes = has(VOTES) + 2 * has(LOW_BITS);
-    buffer_.allocate(planes * (planeBytes(0) + planeBytes(1)));
+    buffer_.allocate(bytes());
     uchar* next = buffer_.data();
     for (int copy = 0; copy < 2; ++copy)
         for (int i = 0; i < PLANES; ++i)
+        {
+            planes_[copy][i] = Plane();
             if (has(i))
             {
                 planes_[copy][i].data = next + MARGIN;
                 planes_[copy][i].stride = (copy == 0 ? frame_.width : frame_.height) + MARGIN;
                 next += planeBytes(copy);
             }
+        }
 }
 
 void EdgePlanes::reset(const EdgeMap& edges, const Cell& frame)
@@ -84,8 +91,7 @@ void EdgePlanes::copyTo(EdgePlanes& other) const
     other.oriented_ = oriented_;
     other.weighted_ = weighted_;
     other.layOut();
-    const size_t planes = has(VOTES) + 2 * has(LOW_BITS);
-    std::memcpy(other.buffer_.data(), buffer_.data(), planes * (planeBytes(0) + planeBytes(1)));
+    std::memcpy(other.buffer_.data(), buffer_.data(), bytes());
 }
 
 void EdgePlanes::remove(Point pixel)

@@ -35,6 +35,7 @@ public:
     {
         uchar* data;
         ptrdiff_t stride;
+        Plane() : data(0), stride(0) {}
         uchar* row(int y) const { return data + y * stride; }
     };
 
@@ -52,6 +53,10 @@ public:
     bool isWeighted() const { return weighted_; }
     bool has(int plane) const { return plane == VOTES ? weighted_ || !oriented_ : oriented_; }
 
+    //! Where a bin of an oriented map has its bits.
+    static int planeOf(int bin) { return bin < 8 ? LOW_BITS : HIGH_BITS; }
+    static uchar bitOf(int bin) { return (uchar)(1 << bin % 8); }
+
     //! The planes whose rows are the image's rows, or its columns.
     const Plane* upright() const { return planes_[0]; }
     const Plane* transposed() const { return planes_[1]; }
@@ -64,6 +69,8 @@ public:
 
 private:
     size_t planeBytes(int copy) const;
+    //! Of all planes, upright and transposed.
+    size_t bytes() const;
     void layOut();
 
     Cell frame_;

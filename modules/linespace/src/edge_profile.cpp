@@ -13,7 +13,6 @@ const int REACH = 3;           // pixels on either side of the line that weigh
 const int MAX_GAP = 8;         // columns
 const double MAX_OFFSET = 1;   // pixels at the ends; a fit farther away is of something else
 const float MOST_GRADIENT = 2; // times the largest one at an edge pixel: no pixel weighs more
-const int MAX_TAPS = 11;       // pixels of a column within REACH + MAX_OFFSET, at 45 degrees
 const int MAX_STEPS = 20;
 const double STILL = 1e-3; // pixels; a step that is smaller at both ends is the last
 
@@ -35,8 +34,10 @@ public:
     every stride-th float. */
     void read(int i, int k, int count, double scale, float most, float* out, int stride) const
     {
-        isFloat_ ? readAs<float>(i, k, count, scale, most, out, stride)
-                 : readAs<short>(i, k, count, scale, most, out, stride);
+        if (isFloat_)
+            readAs<float>(i, k, count, scale, most, out, stride);
+        else
+            readAs<short>(i, k, count, scale, most, out, stride);
     }
 
 private:
@@ -132,6 +133,10 @@ private:
             if (!inside || at(own_[j]) == at(own_[j - 1]) || at(own_[j]) == at(own_[j + 1]))
                 kept.push_back(own_[j]);
         }
+        std::vector<schar> signs(signs_.size(), 0);
+        for (size_t j = 0; j < kept.size(); ++j)
+            signs[kept[j] - range_.start] = (schar)at(kept[j]);
+        signs_.swap(signs);
         for (size_t j = 1; j < kept.size(); ++j)
             if (kept[j] - kept[j - 1] <= MAX_GAP && at(kept[j]) == at(kept[j - 1]))
                 std::fill(signs_.begin() + (kept[j - 1] - range_.start),
@@ -201,7 +206,6 @@ public:
         : columns_(columns), middle_(0.5 * (columns.length - 1)), step_((float)columns.minor),
           taps_(cvFloor(2 * (REACH + MAX_OFFSET) / std::abs(columns.minor))), own_(0)
     {
-        CV_DbgAssert(taps_ <= MAX_TAPS);
         std::vector<int> firstTaps;
         size_t nextOwn = 0;
         for (int i = signs.range().start; i < signs.range().end; ++i)
@@ -230,7 +234,7 @@ public:
             const int i = index_[j], first = firstTaps[j];
             position_[j] = (float)(i - middle_);
             first_[j] = (float)columns.distance(i, first);
-            // So the largest one at an edge pixel becomes 1, whatever the unit is.
+            // So the largest one at an edge pixel becomes 1 but for rounding, whatever the unit is.
             const double scale = signs.at(i) / signs.largest();
             gradients.read(i, first, taps_, scale, MOST_GRADIENT,
                            &gradient_[j / BLOCK * BLOCK * taps_ + j % BLOCK], BLOCK);
@@ -375,12 +379,12 @@ private:
 
 } // namespace
 
-bool fitGradients(const EdgeMap& edges, const EdgePlanes& planes, ushort bit,
-                  const FittedLine& line, FittedLine& fitted)
+bool fitGradients(const EdgeMap& edges, const EdgePlanes& planes, int bin, const FittedLine& line,
+                  FittedLine& fitted)
 {
     const Columns columns(edges.votes.size(), line.line);
     const NormalGradients gradients(edges.dx, edges.dy, columns, line.line);
-    const EdgeSigns signs(columns, Support(planes, bit, columns.xMajor), gradients);
+    const EdgeSigns signs(columns, Support(planes, bin, columns.xMajor), gradients);
     Profile profile(columns, signs, gradients);
     Offset offset = {0, 0};
     std::vector<ColumnScore> scores;

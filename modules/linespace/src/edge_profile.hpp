@@ -20,12 +20,12 @@ weighted by how near they are. The line is moved until their weighted distances 
 these with the column sum up to 0.
 @param edges with gradients.
 @param planes of the same map.
-@param bit as for refineLine.
+@param bin as for refineLine.
 @param fitted keeps the covariance of the given line where the columns do not determine another.
 @return false if that does not end, or fewer than half of the columns that support the line have
 gradients. */
-bool fitGradients(const EdgeMap& edges, const EdgePlanes& planes, ushort bit,
-                  const FittedLine& line, FittedLine& fitted);
+bool fitGradients(const EdgeMap& edges, const EdgePlanes& planes, int bin, const FittedLine& line,
+                  FittedLine& fitted);
 
 } // namespace linespace
 } // namespace cv

@@ -33,28 +33,18 @@ struct Walk
     void next(const Raster& raster)
     {
         ++column;
-        remainder += raster.step;
-        if (remainder >= raster.modulus)
-        {
-            remainder -= raster.modulus;
-            ++minor;
-        }
-        else if (remainder < 0)
-        {
-            remainder += raster.modulus;
-            --minor;
-        }
+        raster.next(minor, remainder);
     }
 };
+
+static_assert((int)LaneMap::WINDOW <= (int)EdgePlanes::MARGIN, "reads beyond a row");
 
 } // namespace
 
 int ChordCounter::voteAcross(const EdgePlanes::Plane* planes, int column, int minor, int bin) const
 {
     if (planes_.isOriented() &&
-        !(planes[bin < 8 ? EdgePlanes::LOW_BITS : EdgePlanes::HIGH_BITS].row(column)[minor] >>
-              bin % 8 &
-          1))
+        !(planes[EdgePlanes::planeOf(bin)].row(column)[minor] & EdgePlanes::bitOf(bin)))
         return 0;
     return planes_.has(EdgePlanes::VOTES) ? planes[EdgePlanes::VOTES].row(column)[minor] : 1;
 }
@@ -99,8 +89,8 @@ bool ChordCounter::countLanes(const Raster& guide, const Range& columns, const R
         for (int i = 0; i < ChordLanes::COUNT; ++i)
         {
             const int bin = bins[std::min(i, count - 1)];
-            const bool isOwn = planes_.isOriented() && (bin < 8) == (p == EdgePlanes::LOW_BITS);
-            lanes.bit[i] = isOwn ? (uchar)(1 << bin % 8) : 0;
+            const bool isOwn = planes_.isOriented() && EdgePlanes::planeOf(bin) == p;
+            lanes.bit[i] = isOwn ? EdgePlanes::bitOf(bin) : 0;
             isUsed = isUsed || isOwn;
         }
         if (!isUsed)

@@ -41,6 +41,8 @@ struct StepsAcross : Steps
     }
 };
 
+static_assert((int)ChordCounter::PARALLEL <= (int)EdgePlanes::MARGIN, "reads beyond a row");
+
 #if CV_SIMD128
 
 void addBytes(const v_uint8x16& sums, int* votes)
@@ -191,7 +193,7 @@ bool ChordCounter::startParallel(const ParallelChords& chords, ParallelWalk& wal
     const EdgePlanes::Plane* const planes = downwards ? planes_.upright() : planes_.transposed();
     const int bin = planes_.isOriented() ? directionBin(frame_, chord) : 0;
     const EdgePlanes::Plane* const own =
-        planes_.isOriented() ? &planes[bin < 8 ? EdgePlanes::LOW_BITS : EdgePlanes::HIGH_BITS] : 0;
+        planes_.isOriented() ? &planes[EdgePlanes::planeOf(bin)] : 0;
     const ptrdiff_t stride = planes[own ? EdgePlanes::LOW_BITS : EdgePlanes::VOTES].stride;
     const bool alongRows = raster.xMajor == downwards;
     walk.steps.majorStride = alongRows ? 1 : stride;
@@ -201,7 +203,7 @@ bool ChordCounter::startParallel(const ParallelChords& chords, ParallelWalk& wal
     walk.values =
         planes_.has(EdgePlanes::VOTES) ? planes[EdgePlanes::VOTES].row(0) - chords.before : 0;
     walk.bits = own ? own->row(0) - chords.before : 0;
-    walk.bit = (uchar)(1 << bin % 8);
+    walk.bit = EdgePlanes::bitOf(bin);
     return true;
 }
 

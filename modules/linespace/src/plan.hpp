@@ -123,29 +123,32 @@ struct Raster
     pixels). */
     bool fixedPoint(int64& start, int64& increment) const;
 
+    //! From a pixel's minor coordinate and remainder to the next one's.
+    void next(int& position, int& rest) const
+    {
+        rest += step;
+        if (rest >= modulus)
+        {
+            rest -= modulus;
+            ++position;
+        }
+        else if (rest < 0)
+        {
+            rest += modulus;
+            --position;
+        }
+    }
+
     //! Calls visit(x, y) for every pixel.
     template<class Visit>
     void forEachPixel(Visit visit) const
     {
         int position = minor, rest = remainder;
-        for (int i = 0; i < count; ++i)
-        {
+        for (int i = 0; i < count; ++i, next(position, rest))
             if (xMajor)
                 visit(first + i, position);
             else
                 visit(position, first + i);
-            rest += step;
-            if (rest >= modulus)
-            {
-                rest -= modulus;
-                ++position;
-            }
-            else if (rest < 0)
-            {
-                rest += modulus;
-                --position;
-            }
-        }
     }
 };
 

@@ -13,8 +13,8 @@ namespace linespace {
 
 namespace {
 
-const double EXPLAINED_DISTANCE =
-    2; // pixels; what a thick or slightly bent edge leaves beside its line
+// Pixels; what a thick or slightly bent edge leaves beside its line.
+const double EXPLAINED_DISTANCE = 2 + TIE;
 const double MOST_MOVED = 0.999; // pixels at the ends inside the image: less than one when rounded
 const double TOO_FAR = 2;        // pixels at the ends; a fit that far away is of something else
 const int MAX_FITS = 10;         // of edge pixels, each to those near the line before
@@ -49,12 +49,12 @@ Few change from a line to the next. */
 class Supporters
 {
 public:
-    /** Those that carry the bit within a distance of the line, in the order of its columns. */
-    Supporters(double reach, const EdgePlanes& planes, ushort bit, const Line& line, Size image)
+    /** Those that carry the bin's bit within a distance of the line, in the order of its columns. */
+    Supporters(double reach, const EdgePlanes& planes, int bin, const Line& line, Size image)
         : count_(0)
     {
         const Columns columns(image, line);
-        const Support support(planes, bit, columns.xMajor);
+        const Support support(planes, bin, columns.xMajor);
         std::vector<double>&along = columns.xMajor ? x_ : y_, &across = columns.xMajor ? y_ : x_;
         columns.forEachWithin(reach, support,
                               [&](int i, int k, int mask)
@@ -203,13 +203,12 @@ bool covarianceOf(Size image, const Supporters& supporters, const Line& line,
 }
 
 /** Total least squares on edge pixels; keeps the line's covariance where they say nothing of it. */
-bool fitEdgePixels(const EdgeMap& edges, const EdgePlanes& planes, ushort bit,
-                   const FittedLine& line, FittedLine& fitted)
+bool fitEdgePixels(const EdgePlanes& planes, Size image, int bin, const FittedLine& line,
+                   FittedLine& fitted)
 {
-    const Size image = edges.votes.size();
     CV_DbgAssert(std::max(image.width, image.height) <= 1 << 20); // see Moments
     // Also those of a line that moves by up to TOO_FAR at its ends.
-    Supporters supporters(SUPPORT_DISTANCE + TOO_FAR, planes, bit, line.line, image);
+    Supporters supporters(SUPPORT_DISTANCE + TOO_FAR, planes, bin, line.line, image);
     fitted = line;
     Moments last = {0, 0, 0, 0, 0, 0};
     for (int i = 0; i < MAX_FITS; ++i)
@@ -279,25 +278,25 @@ FittedLine chordLine(const Cell& frame, Chord chord)
     return result;
 }
 
-FittedLine refineLine(const EdgeMap& edges, const EdgePlanes& planes, ushort bit,
+FittedLine refineLine(const EdgeMap& edges, const EdgePlanes& planes, int bin,
                       const FittedLine& chord)
 {
     Ends ends;
-    if (!clipLine(std::cos(chord.line.theta), std::sin(chord.line.theta), chord.line.rho,
-                  edges.votes.size(), ends))
+    const Size image = edges.votes.size();
+    if (!clipLine(std::cos(chord.line.theta), std::sin(chord.line.theta), chord.line.rho, image,
+                  ends))
         return chord;
     FittedLine best = chord, fitted;
-    if (fitEdgePixels(edges, planes, bit, best, fitted))
+    if (fitEdgePixels(planes, image, bin, best, fitted))
         takeWithinReach(ends, fitted, best);
-    if (!edges.dx.empty() && fitGradients(edges, planes, bit, best, fitted))
+    if (!edges.dx.empty() && fitGradients(edges, planes, bin, best, fitted))
         takeWithinReach(ends, fitted, best);
     return best;
 }
 
-std::vector<Point> explainedPixels(const EdgePlanes& planes, Size image, ushort bit,
-                                   const Line& line)
+std::vector<Point> explainedPixels(const EdgePlanes& planes, Size image, int bin, const Line& line)
 {
-    const Supporters explained(EXPLAINED_DISTANCE, planes, bit, line, image);
+    const Supporters explained(EXPLAINED_DISTANCE, planes, bin, line, image);
     std::vector<Point> result(explained.count());
     for (size_t j = 0; j < result.size(); ++j)
         result[j] = explained.pixel(j);

@@ -24,14 +24,13 @@ fitGradients from there. The pixels are those within three pixels of the chord's
 once. Either step moves the ends of the chord's line inside the image by less than a pixel: a result
 that is farther away is approached as far as that, one of more than two pixels is left out.
 @param planes of the same map.
-@param bit of the bin of the line's chord: of an oriented map, only pixels that carry it count.
+@param bin of the line's chord: of an oriented map, only pixels that carry its bit count.
 @return the given line if neither step determines one. */
-FittedLine refineLine(const EdgeMap& edges, const EdgePlanes& planes, ushort bit,
+FittedLine refineLine(const EdgeMap& edges, const EdgePlanes& planes, int bin,
                       const FittedLine& line);
 
-//! The edge pixels that a line explains: those within two pixels of it that carry the bit.
-std::vector<Point> explainedPixels(const EdgePlanes& planes, Size image, ushort bit,
-                                   const Line& line);
+//! The edge pixels that a line explains: those within two pixels of it that carry the bin's bit.
+std::vector<Point> explainedPixels(const EdgePlanes& planes, Size image, int bin, const Line& line);
 
 } // namespace linespace
 } // namespace cv

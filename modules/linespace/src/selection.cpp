@@ -204,7 +204,7 @@ private:
     {
         const std::vector<Point> explained =
             explainedPixels(left_, plan_.imageSize(),
-                            directionBit(frame_, selected.candidate.chord()), selected.fitted.line);
+                            directionBin(frame_, selected.candidate.chord()), selected.fitted.line);
         for (size_t i = 0; i < explained.size(); ++i)
             left_.remove(explained[i]);
     }

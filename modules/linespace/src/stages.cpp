@@ -45,10 +45,6 @@ double workingMemory(const Plan& plan, bool weighted, bool oriented, int level)
     return most[0] + most[1] + (oriented ? 3 + 11 : 3) * pixels;
 }
 
-namespace {
-
-} // namespace
-
 int chordVotes(const EdgeMap& edges, const Cell& frame, Chord chord)
 {
     const Mat& votes = edges.votes;

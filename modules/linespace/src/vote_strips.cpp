@@ -42,9 +42,8 @@ void VoteStrips::clear()
     std::vector<int>().swap(votes_);
 }
 
-void VoteStrips::reset(const ChordCounter& counter, const Cell& frame)
+void VoteStrips::reset(const Cell& frame)
 {
-    counter_ = &counter;
     frame_ = frame;
     size_t strips = 0;
     for (int i = 0; i < 2; ++i)
@@ -91,7 +90,7 @@ void VoteStrips::want(Chord chord, int radius)
     }
 }
 
-void VoteStrips::countWanted()
+void VoteStrips::countWanted(const ChordCounter& counter)
 {
     if (wanted_.empty())
         return;
@@ -109,7 +108,7 @@ void VoteStrips::countWanted()
             const int count = (int)std::min<size_t>(atOnce, wanted_.size() - first);
             for (int k = 0; k < count; ++k)
                 chords[k] = chordsOf(wanted_[first + k]);
-            counter_->countParallel(chords, count, &votes_[before + first * PARALLEL]);
+            counter.countParallel(chords, count, &votes_[before + first * PARALLEL]);
         }
     };
     const Range all(0, (int)((wanted_.size() + atOnce - 1) / atOnce));

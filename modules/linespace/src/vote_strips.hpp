@@ -19,10 +19,8 @@ PARALLEL on. */
 class VoteStrips
 {
 public:
-    VoteStrips() : counter_(0) {}
-
-    //! Forgets all votes. The counter is used until the next reset.
-    void reset(const ChordCounter& counter, const Cell& frame);
+    //! Forgets all votes.
+    void reset(const Cell& frame);
     void clear();
     //! Bytes kept, besides those of the strips that were counted.
     static double memory(const Cell& frame);
@@ -35,7 +33,7 @@ public:
     //! Asks for the strips of such a neighbourhood; not thread-safe.
     void want(Chord chord, int radius);
     //! Counts what is wanted, in parallel.
-    void countWanted();
+    void countWanted(const ChordCounter& counter);
 
     /** Calls visit(votes, s, e) for a neighbourhood that was counted; may be called from several
     threads at once. */
@@ -82,7 +80,6 @@ private:
     }
     ChordCounter::ParallelChords chordsOf(size_t strip) const;
 
-    const ChordCounter* counter_;
     Cell frame_;
     Pair pairs_[2];
     std::vector<int> slots_; //!< of each strip, where its votes stand; -1: not counted

@@ -805,10 +805,10 @@ TEST_P(Linespace_AContrario, line_in_noise_is_found)
     }
 }
 
-Mat1i cascadeTop(const Mat& edges, int cellSize)
+Mat1i cascadeTop(const Mat& edges, int cellSize, const Mat& directions)
 {
     const brute::Cascade cascade = brute::cascadeOf(edges.size(), cellSize);
-    return brute::cascadeTable(edges, cascade, cascade.levelCount() - 1);
+    return brute::cascadeTable(edges, cascade, cascade.levelCount() - 1, false, directions);
 }
 
 // By chance, the pixels of a chord are a chain: edge pixels have the share `density`, and the pixel
@@ -853,7 +853,8 @@ double falseAlarms(double chords, int length, double density, int votes)
     return chords * Chain(density).tail(length, votes);
 }
 
-// With a mask the density is that within it; with weights the pixels decide, not their sum.
+// With a mask the density is that within it; with weights the pixels decide, not their sum; with
+// gradients those of the chord's direction.
 TEST_P(Linespace_AContrario, every_chord_by_the_rule)
 {
     const double epsilons[] = {1e-6, 1, 1000, 1e20};
@@ -861,11 +862,13 @@ TEST_P(Linespace_AContrario, every_chord_by_the_rule)
     {
         PLAIN,
         MASKED,
-        WEIGHTED
+        WEIGHTED,
+        ORIENTED_WEIGHTED
     };
-    for (unsigned seed = 1; seed <= 6; ++seed)
+    for (unsigned seed = 1; seed <= 7; ++seed)
     {
-        const Kind kind = seed == 5 ? MASKED : seed == 6 ? WEIGHTED : PLAIN;
+        const Kind kind = seed < 5 ? PLAIN : Kind(seed - 4);
+        const bool weighted = kind == WEIGHTED || kind == ORIENTED_WEIGHTED;
         const Mat1b given = seed == 4 ? randomEdges(Size(37, 25), 0.8, 9) : smallScene(seed);
         Mat1b edges = given.clone(), mask;
         double pixels = (double)given.total();
@@ -877,15 +880,32 @@ TEST_P(Linespace_AContrario, every_chord_by_the_rule)
             pixels = countNonZero(mask);
         }
         const int method = get<1>(GetParam()), cellSize = 4;
-        const double density = countNonZero(edges) / pixels;
+        Mat dx, dy, directions;
+        if (kind == ORIENTED_WEIGHTED)
+        {
+            RNG rng(seed);
+            dx.create(edges.size(), CV_16SC1);
+            dy.create(edges.size(), CV_16SC1);
+            rng.fill(dx, RNG::UNIFORM, -50, 51);
+            rng.fill(dy, RNG::UNIFORM, -200, 201); // unlike densities of the directions
+            directions = brute::directions(dx, dy, 22.5);
+        }
+        std::vector<double> densities;
+        for (int bin = 0; bin < 16; ++bin)
+        {
+            const Mat voting =
+                directions.empty() ? edges : edges & ((directions & (1 << bin)) != 0);
+            densities.push_back(countNonZero(voting) / pixels);
+        }
         const Size frame = method == METHOD_EXACT
                                ? edges.size()
                                : brute::cascadeOf(edges.size(), cellSize).frame();
         const Mat1i lengths = brute::exactTable(whiteEdges(edges.size()), frame);
-        const Mat1i counts = brute::exactTable(edges, frame);
-        const Mat1i votes = kind == WEIGHTED ? brute::exactTable(edges, frame, true) : counts;
+        const Mat1i counts = brute::exactTable(edges, frame, false, directions);
+        const Mat1i votes = brute::exactTable(edges, frame, weighted, directions);
         // What the cascade does not see at all is no candidate.
-        const Mat1i seen = method == METHOD_EXACT ? counts : cascadeTop(edges, cellSize);
+        const Mat1i seen =
+            method == METHOD_EXACT ? counts : cascadeTop(edges, cellSize, directions);
         double chords = 0;
         for (int s = 0; s < votes.rows; ++s)
             for (int e = s + 1; e < votes.cols; ++e)
@@ -895,19 +915,29 @@ TEST_P(Linespace_AContrario, every_chord_by_the_rule)
             Ptr<LineSpaceDetector> detector = createPlain(method, cellSize, get<0>(GetParam()), 0);
             detector->setFalseAlarms(epsilons[i]);
             detector->setMask(mask);
-            detector->setEdgeWeights(kind == WEIGHTED);
+            detector->setEdgeWeights(weighted);
             std::vector<Candidate> expected;
             for (int s = 0; s < votes.rows; ++s)
                 for (int e = s + 1; e < votes.cols; ++e)
-                    if (seen(s, e) > 0 && counts(s, e) > 0 && brute::isChord(frame, s, e) &&
-                        falseAlarms(chords, lengths(s, e), density, counts(s, e)) < epsilons[i])
+                {
+                    if (seen(s, e) == 0 || counts(s, e) == 0 || !brute::isChord(frame, s, e))
+                        continue;
+                    const int bin = brute::directionBin(brute::borderPoint(frame, e) -
+                                                        brute::borderPoint(frame, s));
+                    if (falseAlarms(chords, lengths(s, e), densities[bin], counts(s, e)) <
+                        epsilons[i])
                     {
                         const Candidate candidate = {s, e, votes(s, e)};
                         expected.push_back(candidate);
                     }
+                }
             std::sort(expected.begin(), expected.end(), brute::isStronger);
-            expectChords(detectLines(*detector, given), expected, frame,
-                         format("seed %d, epsilon %g", seed, epsilons[i]));
+            Lines lines;
+            if (directions.empty())
+                lines = detectLines(*detector, given);
+            else
+                detector->detect(given, dx, dy, lines);
+            expectChords(lines, expected, frame, format("seed %d, epsilon %g", seed, epsilons[i]));
             if (HasFatalFailure())
                 return;
             EXPECT_TRUE(epsilons[i] <= 1 || seed == 4 || !expected.empty()) << seed;

@@ -387,6 +387,59 @@ TEST_P(Linespace_Refinement, gradients_of_few_columns)
     }
 }
 
+// A sign that changes from each column to the next is noise: where it does, nothing says where the
+// edge is. Here that would be on the other side of the chord.
+TEST_P(Linespace_Refinement, signs_that_alternate_say_nothing)
+{
+    const Size size(128, 96);
+    const Edge edge = {47.6, CV_PI / 2}, other = {46.4, CV_PI / 2};
+    RNG rng(29);
+    const View view = stepView(size, edge, 60, 0, rng),
+               otherView = stepView(size, other, 60, 0, rng);
+    Mat1b edges(size, (uchar)0);
+    edges.row(47).setTo(255);
+    Mat dx = view.dx.clone(), dy = view.dy.clone();
+    const Range silent(90, size.width - 1); // the last sign has no other side, so is not dropped
+    dx.colRange(silent).setTo(0);
+    dy.colRange(silent).setTo(0);
+    Vectors expected, lines;
+    strongestAbove(100)->detect(edges, dx, dy, expected);
+    ASSERT_EQ(1u, expected.size());
+    EXPECT_NEAR(edge.rho, expected[0][0], 0.05);
+    for (int x = silent.start; x < silent.end; ++x)
+    {
+        dx.col(x) += otherView.dx.col(x) * (x % 2 ? 1 : -1);
+        dy.col(x) += otherView.dy.col(x) * (x % 2 ? 1 : -1);
+    }
+    strongestAbove(100)->detect(edges, dx, dy, lines);
+    ASSERT_EQ(1u, lines.size());
+    EXPECT_NEAR(expected[0][0], lines[0][0], 1e-3);
+    EXPECT_NEAR(expected[0][1], lines[0][1], 1e-5);
+}
+
+// Whether pixels at exactly the distance of support count must not depend on how their distances
+// are rounded, which differs along the line.
+TEST_P(Linespace_Refinement, edges_of_three_rows)
+{
+    for (int length = 60; length <= 240; length += 60)
+        for (int at = 10; at < 50; at += 7)
+            for (int transposed = 0; transposed < 2; ++transposed)
+            {
+                Mat1b edges(60, length, (uchar)0);
+                edges.rowRange(at - 1, at + 2).setTo(255);
+                for (int x = 0; x < length; x += 10) // the middle row is the strongest
+                    edges(at - 1, x) = edges(at + 1, x) = 0;
+                if (transposed)
+                    edges = edges.t();
+                Vectors lines;
+                strongestAbove(length / 2)->detect(edges, lines);
+                ASSERT_EQ(1u, lines.size());
+                EXPECT_EQ(Vec2f((float)at, transposed ? 0.f : (float)(CV_PI / 2)),
+                          Vec2f(lines[0][0], lines[0][1]))
+                    << "length " << length << ", transposed " << transposed;
+            }
+}
+
 TEST_P(Linespace_Refinement, deviations_belong_to_the_last_lines)
 {
     std::vector<Vec2d> drawn;
