@@ -18,7 +18,7 @@ namespace cascade {
 
 constexpr int STRONGEST = 100; //!< lines of the exact method that are looked for
 constexpr int LONGER = 105;    //!< 5 % more lines
-constexpr int LONGEST = 256;   //!< the longest list that a pool of 4096 is not enlarged for
+constexpr int LONGEST = 256;   //!< the longest list that no pool from 4096 on is enlarged for
 
 //! Parameters of a detection; the others are the detector's defaults.
 struct Detection
