@@ -43,7 +43,7 @@ public:
     int at(int i, int k) const
     {
         const uchar* const pixels = plane_.row(i) + k;
-#if CV_SIMD128
+#if LINESPACE_SIMD128
         return v_signmask((v_load(pixels) & v_setall_u8(bits_)) != v_setzero_u8());
 #else
         int mask = 0;

@@ -167,7 +167,7 @@ public:
     }
     void add(const float* t, const float* values)
     {
-#if CV_SIMD128_64F
+#if LINESPACE_SIMD128_64F
         const v_float32x4 ts = v_load(t), all = v_load(values);
         addHalf(0, v_cvt_f64(ts), v_cvt_f64(all));
         addHalf(2, v_cvt_f64_high(ts), v_cvt_f64_high(all));
@@ -187,7 +187,7 @@ public:
     }
 
 private:
-#if CV_SIMD128_64F
+#if LINESPACE_SIMD128_64F
     void addHalf(int l, const v_float64x2& t, v_float64x2 value)
     {
         for (int power = 0; power < 3; ++power, value = value * t)
@@ -318,7 +318,7 @@ private:
     {
         const float unit = 1.f / (REACH * REACH);
         const float* gradients = &gradient_[j * taps_];
-#if CV_SIMD128
+#if LINESPACE_SIMD128
         const v_float32x4 zero = v_setzero_f32(), one = v_setall_f32(1), four = v_setall_f32(4),
                           units = v_setall_f32(unit), step = v_setall_f32(step_);
         const v_float32x4 first =

@@ -43,7 +43,7 @@ struct StepsAcross : Steps
 
 static_assert((int)ChordCounter::PARALLEL <= (int)EdgePlanes::MARGIN, "reads beyond a row");
 
-#if CV_SIMD128
+#if LINESPACE_SIMD128
 
 void addBytes(const v_uint8x16& sums, int* votes)
 {

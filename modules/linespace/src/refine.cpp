@@ -124,7 +124,7 @@ private:
         {
             const double *const x = &x_[group * GROUP], *const y = &y_[group * GROUP];
             int near = 0;
-#if CV_SIMD128_64F
+#if LINESPACE_SIMD128_64F
             const v_float64x2 cosines = v_setall_f64(cosine), sines = v_setall_f64(sine),
                               rho = v_setall_f64(line.rho), most = v_setall_f64(SUPPORT_DISTANCE);
             for (int b = 0; b < GROUP; b += 2)

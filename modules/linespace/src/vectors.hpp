@@ -2,7 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// OpenCV's vectors of 128 bits with their operators, in any of its versions.
+// OpenCV's vectors of 128 bits with their operators, in any of its versions, and whether to use them.
 
 #ifndef OPENCV_LINESPACE_VECTORS_HPP
 #define OPENCV_LINESPACE_VECTORS_HPP
@@ -11,6 +11,15 @@
 #include <opencv2/core/version.hpp>
 #if CV_VERSION_MAJOR > 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR >= 11)
 #include <opencv2/core/hal/intrin_legacy_ops.hpp> // operators; older versions have no functions
+#endif
+
+// Where vectors have no fixed size (RISC-V), or to test what runs there, plain loops.
+#if defined LINESPACE_PLAIN_LOOPS || !CV_SIMD128
+#define LINESPACE_SIMD128 0
+#define LINESPACE_SIMD128_64F 0
+#else
+#define LINESPACE_SIMD128 1
+#define LINESPACE_SIMD128_64F CV_SIMD128_64F
 #endif
 
 #endif // OPENCV_LINESPACE_VECTORS_HPP
