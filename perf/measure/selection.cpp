@@ -53,18 +53,28 @@ std::function<void()> detection(const Input& input, int threshold, int most, int
     };
 }
 
+//! Of what is measured in one turn, as the machine's speed may change from turn to turn.
+double medianDifference(std::vector<double> minuend, const std::vector<double>& subtrahend)
+{
+    for (std::size_t i = 0; i < minuend.size(); ++i)
+        minuend[i] -= subtrahend[i];
+    return median(minuend);
+}
+
 } // namespace
 
 void writeSelection(std::ostream& out, const Settings& settings)
 {
     const cv::Size size(512, 512);
     const int threshold = size.width / 10, nothing = std::numeric_limits<int>::max();
+    const int runs = 5 * settings.runs; // small differences of large times
     out << "## From votes to lines\n\n"
-        << size.width << " x " << size.height << ", milliseconds, medians of " << settings.runs
+        << size.width << " x " << size.height << ", milliseconds, medians of " << runs
         << " runs in turn. *Search*: what `detect` for the strongest line above " << threshold
         << " votes takes longer than the votes alone (a threshold that nothing can exceed): the "
            "pool of candidates climbs to the maxima of the exact votes. *100 lines*: what `detect` "
-           "for the 100 strongest takes longer than for one: selection and refinement. FHT is "
+           "for the 100 strongest takes longer than for one: selection and refinement. Both are "
+           "medians of differences within a turn. FHT is "
            "cv::ximgproc::FastHoughTransform, the transform alone, which uses one thread.\n\n"
            "| image | threads | votes, selection | detect | search | 100 lines | FHT | 100 lines / "
            "FHT | search and 100 lines / FHT | detect / FHT |\n"
@@ -84,19 +94,20 @@ void writeSelection(std::ostream& out, const Settings& settings)
             for (const bool oriented : {false, true})
                 for (const int selection : {ls::SELECT_PEAKS, ls::SELECT_EXPLAIN})
                 {
-                    const std::vector<double> times =
-                        medians({detection(input, threshold, 100, selection, oriented),
-                                 detection(input, threshold, 1, selection, oriented),
-                                 detection(input, nothing, 1, selection, oriented), transform},
-                                settings.runs);
-                    const double lines = times[0] - times[1], search = times[1] - times[2];
+                    const auto times =
+                        timesInTurn({detection(input, threshold, 100, selection, oriented),
+                                     detection(input, threshold, 1, selection, oriented),
+                                     detection(input, nothing, 1, selection, oriented), transform},
+                                    runs);
+                    const double lines = medianDifference(times[0], times[1]),
+                                 search = medianDifference(times[1], times[2]),
+                                 detect = median(times[0]), hough = median(times[3]);
                     out << "| " << name << " | " << threads << " | "
                         << (oriented ? "oriented" : "plain")
                         << (selection == ls::SELECT_PEAKS ? ", peaks | " : ", explain | ")
-                        << std::setprecision(1) << times[0] << " | " << search << " | " << lines
-                        << " | " << times[3] << " | " << std::setprecision(2) << lines / times[3]
-                        << " | " << (search + lines) / times[3] << " | " << times[0] / times[3]
-                        << " |\n";
+                        << std::setprecision(1) << detect << " | " << search << " | " << lines
+                        << " | " << hough << " | " << std::setprecision(2) << lines / hough << " | "
+                        << (search + lines) / hough << " | " << detect / hough << " |\n";
                 }
         }
     }

@@ -17,7 +17,8 @@ double millisecondsOf(const std::function<void()>& work)
         .count();
 }
 
-std::vector<double> medians(const std::vector<std::function<void()>>& functions, int runs)
+std::vector<std::vector<double>> timesInTurn(const std::vector<std::function<void()>>& functions,
+                                             int runs)
 {
     std::vector<std::vector<double>> times(functions.size());
     for (const auto& function : functions)
@@ -25,12 +26,20 @@ std::vector<double> medians(const std::vector<std::function<void()>>& functions,
     for (int run = 0; run < runs; ++run)
         for (std::size_t i = 0; i < functions.size(); ++i)
             times[i].push_back(millisecondsOf(functions[i]));
+    return times;
+}
+
+double median(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+std::vector<double> medians(const std::vector<std::function<void()>>& functions, int runs)
+{
     std::vector<double> result;
-    for (auto& list : times)
-    {
-        std::sort(list.begin(), list.end());
-        result.push_back(list[list.size() / 2]);
-    }
+    for (const std::vector<double>& times : timesInTurn(functions, runs))
+        result.push_back(median(times));
     return result;
 }
 

@@ -14,8 +14,14 @@ namespace measure {
 
 double millisecondsOf(const std::function<void()>& work);
 
-//! Medians of the times of several functions, called in turn so that all meet the same state of the
-//! machine; the first call of each is not timed.
+//! Times of several functions, by function and run, called in turn so that all meet the same state
+//! of the machine; the first call of each is not timed.
+std::vector<std::vector<double>> timesInTurn(const std::vector<std::function<void()>>& functions,
+                                             int runs);
+
+double median(std::vector<double> values);
+
+//! Medians of such times.
 std::vector<double> medians(const std::vector<std::function<void()>>& functions, int runs);
 
 } // namespace measure
