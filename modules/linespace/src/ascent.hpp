@@ -21,7 +21,7 @@ enum
 /** Moves candidates to maxima of the exact votes: to the strongest chord in the total order of the
 (2 radius + 1)^2 ring neighbourhood, and so on until none is stronger.
 @param radius 1 to MAX_ASCENT_RADIUS.
-@param strips of the counter and the frame, reset.
+@param strips of the frame, reset.
 @param candidates with any votes; on return, in the total order, the maxima that they came to, each
 once, with exact votes. */
 void climbToMaxima(const ChordCounter& counter, const Cell& frame, int radius, VoteStrips& strips,
