@@ -12,6 +12,7 @@
 #include "parameters.hpp"
 #include "refine.hpp"
 #include "selection.hpp"
+#include "stage_times.hpp"
 
 #include <climits>
 #include <cmath>
@@ -99,6 +100,13 @@ public:
         writeVectors(deviations_, deviations);
     }
 
+    void getStageTimes(std::vector<String>& stages,
+                       std::vector<double>& milliseconds) const CV_OVERRIDE
+    {
+        stages = stageTimes_.names();
+        milliseconds = stageTimes_.milliseconds();
+    }
+
 #define LINESPACE_PARAMETER(Type, Name, name)                                                      \
     void set##Name(Type value) CV_OVERRIDE                                                         \
     {                                                                                              \
@@ -127,6 +135,7 @@ public:
     LINESPACE_PARAMETER(double, OrientationTolerance, orientationTolerance)
     LINESPACE_PARAMETER(double, FalseAlarms, falseAlarms)
     LINESPACE_PARAMETER(bool, EdgeWeights, edgeWeights)
+    LINESPACE_PARAMETER(bool, Pruning, pruning)
     LINESPACE_PARAMETER(int, MemoryLimit, memoryLimit)
 #undef LINESPACE_PARAMETER
 
@@ -189,6 +198,7 @@ public:
         left_.clear();
         strips_.clear();
         deviations_.clear();
+        stageTimes_ = StageTimes();
         activeBackend_ = -1;
     }
     String getDefaultName() const CV_OVERRIDE
@@ -204,7 +214,7 @@ private:
                       [&]()
                       {
                           EdgeMap map;
-                          const Counting counting = count(edges, gradients, -1, map);
+                          Counting counting = count(edges, gradients, -1, map);
                           std::vector<Vec3f> found, deviations;
                           findLines(map, counting, found, deviations);
                           writeVectors(found, lines);
@@ -284,6 +294,7 @@ private:
     {
         Ptr<const Plan> plan;
         Ptr<Executor> executor;
+        StageTimes times;
     };
 
     //! What the detector tells of its last call from now on; nothing of the call can fail any more.
@@ -293,6 +304,7 @@ private:
         planMethod_ = parameters_.method;
         planCellSize_ = parameters_.cellSize;
         executor_ = counting.executor;
+        stageTimes_ = counting.times;
         activeBackend_ = executor_->backend();
     }
 
@@ -300,6 +312,8 @@ private:
     Counting count(InputArray input, const Gradients& gradients, int level, EdgeMap& edges,
                    bool writesTable = false)
     {
+        Counting counting;
+        counting.times.restart();
         const Mat image = input.getMat();
         checkImage(image, "edges");
         if (!mask_.empty() && mask_.size() != image.size())
@@ -331,9 +345,11 @@ private:
             edges.dx = gradients.dx;
             edges.dy = gradients.dy;
         }
+        counting.plan = plan;
+        counting.executor = executor;
+        counting.times.end("edge map");
         countVotes(*executor, edges, *plan, parameters_.method == METHOD_EXACT, level, spare_,
-                   result_);
-        const Counting counting = {plan, executor};
+                   result_, counting.times);
         return counting;
     }
 
@@ -407,7 +423,7 @@ private:
         return significance(edges, pixels, plan, parameters_.falseAlarms);
     }
 
-    void findLines(const EdgeMap& edges, const Counting& counting, std::vector<Vec3f>& lines,
+    void findLines(const EdgeMap& edges, Counting& counting, std::vector<Vec3f>& lines,
                    std::vector<Vec3f>& deviations)
     {
         const Plan& plan = *counting.plan;
@@ -417,8 +433,12 @@ private:
         const AngleInterval angles = {parameters_.minTheta, parameters_.maxTheta};
         planes_.reset(edges, plan.frame());
         std::vector<Candidate> candidates = candidatesFor(requirement, angles, plan);
+        counting.times.end("candidates");
         if (parameters_.method != METHOD_EXACT) // whose table holds exact votes
+        {
             recount(edges, plan, *counting.executor, candidates);
+            counting.times.end("ascent");
+        }
         removeIf(candidates,
                  [&](const Candidate& candidate)
                  {
@@ -428,6 +448,7 @@ private:
         const std::vector<Selected> chosen = select(edges, plan, requirement, angles, candidates);
         for (size_t i = 0; i < chosen.size(); ++i)
             report(chosen[i], angles, lines, deviations);
+        counting.times.end("selection");
     }
 
     //! Those of the table whose exact votes may meet the requirement.
@@ -555,6 +576,7 @@ private:
     EdgePlanes planes_, left_; // left_: see selectLines
     VoteStrips strips_;
     std::vector<Vec3f> deviations_; // of the lines of the last detect
+    StageTimes stageTimes_;         // of the last call
 };
 
 } // namespace

@@ -55,7 +55,8 @@ std::vector<GridLine> countedLines(const EdgeMap& edges, const HoughGrid& grid, 
     if (hasTable)
     {
         const Ptr<Executor> executor = executorFor(BACKEND_AUTO, Ptr<Executor>());
-        countVotes(*executor, edges, *plan, false, last, spare, table);
+        StageTimes times;
+        countVotes(*executor, edges, *plan, false, last, spare, table, times);
     }
     const int needed = std::max(1, cvFloor(CHORD_SHARE * threshold));
 

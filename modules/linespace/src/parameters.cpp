@@ -30,7 +30,7 @@ Parameters::Parameters()
       suppression(SUPPRESS_RING), suppressionRadius(2), selection(SELECT_PEAKS),
       refine(REFINE_LEAST_SQUARES), poolSize(8192), memoryLimit(8192), suppressionDistance(3),
       candidateRatio(0.75), minTheta(0), maxTheta(CV_PI), orientationTolerance(22.5),
-      falseAlarms(1), edgeWeights(false)
+      falseAlarms(1), edgeWeights(false), pruning(true)
 {
 }
 
@@ -76,7 +76,8 @@ void Parameters::write(FileStorage& fs) const
        << "poolSize" << poolSize;
     fs << "minTheta" << minTheta << "maxTheta" << maxTheta << "orientationTolerance"
        << orientationTolerance << "falseAlarms" << falseAlarms;
-    fs << "edgeWeights" << (int)edgeWeights << "memoryLimit" << memoryLimit;
+    fs << "edgeWeights" << (int)edgeWeights << "pruning" << (int)pruning << "memoryLimit"
+       << memoryLimit;
 }
 
 Parameters Parameters::read(const FileNode& fn)
@@ -99,6 +100,7 @@ Parameters Parameters::read(const FileNode& fn)
     readInto(fn, "orientationTolerance", p.orientationTolerance);
     readInto(fn, "falseAlarms", p.falseAlarms);
     readInto(fn, "edgeWeights", p.edgeWeights);
+    readInto(fn, "pruning", p.pruning);
     readInto(fn, "memoryLimit", p.memoryLimit);
     p.check();
     return p;

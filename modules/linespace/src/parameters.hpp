@@ -27,7 +27,7 @@ struct Parameters
         refine, poolSize, memoryLimit;
     double suppressionDistance, candidateRatio, minTheta, maxTheta, orientationTolerance,
         falseAlarms;
-    bool edgeWeights;
+    bool edgeWeights, pruning;
 
     Parameters();
     //! Throws if one of them is out of its range.

@@ -10,7 +10,7 @@ namespace cv {
 namespace linespace {
 
 void countVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, bool exact, int level,
-                VoteTable& spare, VoteTable& result)
+                VoteTable& spare, VoteTable& result, StageTimes& times)
 {
     // The tables alternate such that the last level's is `result`.
     VoteTable* current = level % 2 == 0 ? &result : &spare;
@@ -20,11 +20,13 @@ void countVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, bool
         executor.exactVotes(edges, plan, *current);
     else
         executor.firstCells(edges, plan, *current);
+    times.end("level 0");
     for (int l = 1; l <= level; ++l)
     {
         next->allocate(plan.level(l), edges.depthFor(plan.level(l).maxVotes));
         executor.mergeCells(plan, l, *current, *next);
         std::swap(current, next);
+        times.end(format("level %d", l));
     }
 }
 

@@ -18,6 +18,7 @@
 
 #include "memory.hpp"
 #include "orientation.hpp"
+#include "stage_times.hpp"
 
 namespace cv {
 namespace linespace {
@@ -123,9 +124,10 @@ Ptr<Executor> createCpuExecutor();       // cascade.dispatch.cpp
 
 /** Runs the cascade (or the exact method, for a plan of one level made for it) up to a level.
 @param spare a second table, for the level below; the two change places from level to level.
-@param result where the level's votes are on return. */
+@param result where the level's votes are on return.
+@param times has a stage for each level on return. */
 void countVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, bool exact, int level,
-                VoteTable& spare, VoteTable& result);
+                VoteTable& spare, VoteTable& result, StageTimes& times);
 
 /** Bytes that countVotes needs for its two tables, and everybody for copies of the edge map, but
 for EdgePlanes. */

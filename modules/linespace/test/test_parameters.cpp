@@ -12,6 +12,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <numeric>
 
 namespace opencv_test {
 namespace {
@@ -33,8 +34,8 @@ std::string describe(const LineSpaceDetector& detector)
         << ", selection " << detector.getSelection() << ", ratio " << detector.getCandidateRatio()
         << ", pool " << detector.getPoolSize() << ", range " << minTheta << " " << maxTheta
         << ", tolerance " << detector.getOrientationTolerance() << ", falseAlarms "
-        << detector.getFalseAlarms() << ", weights " << detector.getEdgeWeights() << ", memory "
-        << detector.getMemoryLimit();
+        << detector.getFalseAlarms() << ", weights " << detector.getEdgeWeights() << ", pruning "
+        << detector.getPruning() << ", memory " << detector.getMemoryLimit();
     return out.str();
 }
 
@@ -57,6 +58,7 @@ void setEverything(LineSpaceDetector& detector)
     detector.setOrientationTolerance(100.0 / 7);
     detector.setFalseAlarms(1e-3);
     detector.setEdgeWeights(true);
+    detector.setPruning(false);
     detector.setMemoryLimit(123);
 }
 
@@ -82,6 +84,7 @@ TEST(Linespace_Parameters, defaults)
     EXPECT_EQ(22.5, detector->getOrientationTolerance());
     EXPECT_EQ(1, detector->getFalseAlarms());
     EXPECT_FALSE(detector->getEdgeWeights());
+    EXPECT_TRUE(detector->getPruning());
     EXPECT_EQ(8192, detector->getMemoryLimit());
     Mat mask;
     detector->getMask(mask);
@@ -105,7 +108,7 @@ TEST(Linespace_Parameters, create_and_set)
         "distance 0.33333333333333331, refine 0, selection 1, ratio 0.10000000000000001, pool 99, "
         "range "
         "-0.14285714285714285 0.66666666666666663, tolerance 14.285714285714286, falseAlarms "
-        "0.001, weights 1, memory 123",
+        "0.001, weights 1, pruning 0, memory 123",
         describe(*detector));
 }
 
@@ -131,6 +134,65 @@ TEST(Linespace_Parameters, ends_of_the_ranges)
     EXPECT_NO_THROW(detector->setFalseAlarms(DBL_MIN));
     EXPECT_NO_THROW(detector->setMemoryLimit(1));
     EXPECT_NO_THROW(detector->setMemoryLimit(INT_MAX));
+}
+
+//! The stages of the last call, as one text.
+std::string stagesOf(const LineSpaceDetector& detector)
+{
+    std::vector<String> stages;
+    std::vector<double> milliseconds;
+    detector.getStageTimes(stages, milliseconds);
+    EXPECT_EQ(stages.size(), milliseconds.size());
+    std::string all;
+    for (size_t i = 0; i < stages.size(); ++i)
+    {
+        all += (i > 0 ? ", " : "") + stages[i];
+        EXPECT_GE(milliseconds[i], 0);
+    }
+    return all;
+}
+
+TEST(Linespace_StageTimes, stages_of_the_last_call)
+{
+    const Mat edges = randomEdges(Size(64, 32), 0.1, 3);
+    const Ptr<LineSpaceDetector> detector = LineSpaceDetector::create(10);
+    EXPECT_EQ("", stagesOf(*detector));
+    std::vector<Vec3f> lines;
+    detector->setPruning(false);
+    detector->detect(edges, lines);
+    EXPECT_EQ("edge map, level 0, level 1, level 2, level 3, level 4, level 5, candidates, ascent, "
+              "selection",
+              stagesOf(*detector));
+    Mat table;
+    detector->computeLevel(edges, 1, table);
+    EXPECT_EQ("edge map, level 0, level 1", stagesOf(*detector));
+    detector->setMethod(METHOD_EXACT);
+    detector->detect(edges, lines);
+    EXPECT_EQ("edge map, level 0, candidates, selection", stagesOf(*detector));
+    detector->clear();
+    EXPECT_EQ("", stagesOf(*detector));
+}
+
+// Their sum is the time of the call, but for what is around them.
+TEST(Linespace_StageTimes, sum)
+{
+    const Mat edges = randomEdges(Size(512, 512), 0.1, 3);
+    const Ptr<LineSpaceDetector> detector = LineSpaceDetector::create(60);
+    std::vector<Vec3f> lines;
+    double best = 0;
+    for (int i = 0; i < 5; ++i) // another program may hold it up between two stages
+    {
+        const int64 start = getTickCount();
+        detector->detect(edges, lines);
+        const double whole = (double)(getTickCount() - start) * 1e3 / getTickFrequency();
+        std::vector<String> stages;
+        std::vector<double> milliseconds;
+        detector->getStageTimes(stages, milliseconds);
+        const double sum = std::accumulate(milliseconds.begin(), milliseconds.end(), 0.);
+        EXPECT_LE(sum, whole);
+        best = std::max(best, sum / whole);
+    }
+    EXPECT_GE(best, 0.9);
 }
 
 TEST(Linespace_Storage, write_and_read)
@@ -196,7 +258,7 @@ TEST(Linespace_Storage, bad_values_are_refused)
         const std::string key = (*it).name();
         // Any real angle is allowed, for a bool anything is something; format is OpenCV's.
         if (!((*it).isInt() || (*it).isReal()) || key.find("heta") != std::string::npos ||
-            key.find("eights") != std::string::npos || key == "format")
+            key.find("eights") != std::string::npos || key == "pruning" || key == "format")
             continue;
         FileStorage changed(".yml", FileStorage::WRITE | FileStorage::MEMORY);
         for (FileNodeIterator other = root.begin(); other != root.end(); ++other)

@@ -166,6 +166,16 @@ public:
     */
     CV_WRAP virtual void getDeviations(OutputArray deviations) const = 0;
 
+    /** @brief How long the stages of the last call took, in the order in which they ran.
+    @param stages names: "edge map", "level 0" (the cells), "level 1" and so on (merges), and for
+    lines "bounds" and "bundles" (what setPruning() does in the place of the last levels),
+    "candidates", "ascent" (exact votes), "selection" (with refinement). Stages that a call does not
+    have are missing; more may be added.
+    @param milliseconds of wall clock, one for each name. Both are empty before the first call.
+    */
+    CV_WRAP virtual void getStageTimes(CV_OUT std::vector<String>& stages,
+                                       CV_OUT std::vector<double>& milliseconds) const = 0;
+
     //! Votes that a line must exceed, >= 0; 0: the a-contrario rule. Default 0.
     CV_WRAP virtual void setThreshold(int threshold) = 0;
     CV_WRAP virtual int getThreshold() const = 0;
@@ -241,6 +251,12 @@ public:
     //! Expected number of false lines per image for threshold = 0, > 0. Default 1.
     CV_WRAP virtual void setFalseAlarms(double epsilon) = 0;
     CV_WRAP virtual double getFalseAlarms() const = 0;
+
+    /** Whether detect leaves out the votes of bundles of chords that, by upper bounds, cannot belong
+    to any candidate (section 4.4). The lines are the same; it takes less time and memory.
+    Default true. */
+    CV_WRAP virtual void setPruning(bool pruning) = 0;
+    CV_WRAP virtual bool getPruning() const = 0;
 
     //! Whether an edge pixel counts with its value (1 to 255) instead of 1. Default false.
     CV_WRAP virtual void setEdgeWeights(bool edgeWeights) = 0;
