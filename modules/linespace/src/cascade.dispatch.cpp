@@ -6,6 +6,7 @@
 // per task to the best instruction set (cascade.simd.hpp). Tasks write disjoint parts of a table
 // and read what no task writes, so the result does not depend on the number of threads.
 
+#include "cell_chords.hpp"
 #include "chord_counter.hpp"
 #include "stages.hpp"
 
@@ -17,14 +18,28 @@ namespace linespace {
 
 namespace {
 
-void addPlanes(const uchar* const* planes, int count, size_t cells, void* votes, int depth)
+void gatherPixels(const uchar* pixel, const size_t* offsets, size_t cells, uchar* plane)
 {
-    CV_CPU_DISPATCH(addPlanes, (planes, count, cells, votes, depth), CV_CPU_DISPATCH_MODES_ALL);
+    CV_CPU_DISPATCH(gatherPixels, (pixel, offsets, cells, plane), CV_CPU_DISPATCH_MODES_ALL);
 }
 
-void choosePixels(const uchar* plane, const uchar* bits, uchar bit, size_t cells, uchar* chosen)
+void gatherDirections(const ushort* pixel, const size_t* offsets, size_t cells, uchar* low,
+                      uchar* high)
 {
-    CV_CPU_DISPATCH(choosePixels, (plane, bits, bit, cells, chosen), CV_CPU_DISPATCH_MODES_ALL);
+    CV_CPU_DISPATCH(gatherDirections, (pixel, offsets, cells, low, high),
+                    CV_CPU_DISPATCH_MODES_ALL);
+}
+
+void choosePixels(const uchar* pixels, const uchar* bits, uchar bit, size_t count, uchar* chosen)
+{
+    CV_CPU_DISPATCH(choosePixels, (pixels, bits, bit, count, chosen), CV_CPU_DISPATCH_MODES_ALL);
+}
+
+void addPlanes(const uchar* planes, const ushort* pixels, int count, size_t cells, void* votes,
+               int depth)
+{
+    CV_CPU_DISPATCH(addPlanes, (planes, pixels, count, cells, votes, depth),
+                    CV_CPU_DISPATCH_MODES_ALL);
 }
 
 void mergeRows(const Merge& merge, int firstRow, int lastRow, size_t cells, const void* child,
@@ -40,14 +55,17 @@ void exactRow(const Cell& frame, int s, const ExactMaps& maps, void* votes, int 
     CV_CPU_DISPATCH(exactRow, (frame, s, maps, votes, depth), CV_CPU_DISPATCH_MODES_ALL);
 }
 
-//! Cells of level 0 that a task takes: their planes stay in a second-level cache.
-size_t cellsPerTask(const Cell& cell)
+//! Cells of level 0 that are counted together: their pixels stay in a second-level cache, and many
+//! threads have work.
+size_t cellsPerTask(const Level& level)
 {
-    const size_t planes = (size_t)cell.width * cell.height;
-    return std::max<size_t>(64, ((size_t)1 << 16) / planes);
+    const size_t pixels = (size_t)level.cell.width * level.cell.height;
+    size_t cells = 64;
+    while (2 * cells * pixels <= ((size_t)1 << 16) && 16 * cells <= level.cellCount())
+        cells *= 2;
+    return cells;
 }
 
-const int FIRST_ROWS_PER_TASK = 4; // of level 0
 const int ROWS_PER_TASK = 16;
 
 int taskCount(size_t items, size_t itemsPerTask)
@@ -62,8 +80,10 @@ public:
 
     void clear() CV_OVERRIDE
     {
-        planes_.release();
-        directionPlanes_.release();
+        chords_.clear();
+        frame_.release();
+        directionFrame_.release();
+        offsets_.clear();
         transposed_.release();
         directionsTransposed_.release();
         edgePlanes_.clear();
@@ -71,28 +91,23 @@ public:
 
     void firstCells(const EdgeMap& edges, const Plan& plan, VoteTable& table) CV_OVERRIDE
     {
-        makePlanes(edges, plan);
         const Cell cell = plan.level(0).cell;
-        const size_t perTask = cellsPerTask(cell);
-        const int tasksOfCells = taskCount(table.cells, perTask);
-        // The chords of one bin, or those of some rows.
-        const std::vector<uchar> bins = edges.isOriented() ? binsOf(cell) : std::vector<uchar>();
-        const int parts = edges.isOriented()
-                              ? DIRECTION_BINS
-                              : taskCount(cell.firstPoint(SIDE_LEFT), FIRST_ROWS_PER_TASK);
-        parallel_for_(Range(0, tasksOfCells * parts),
+        chords_.reset(cell, edges.isOriented());
+        const Mat votes = framed(edges.votes, plan.frame(), frame_),
+                  directions = framed(edges.directions, plan.frame(), directionFrame_);
+        listOffsets(plan, votes.step1());
+        const size_t perTask = cellsPerTask(plan.level(0));
+        parallel_for_(Range(0, taskCount(table.cells, perTask)),
                       [&](const Range& range)
                       {
-                          Buffer chosen;
+                          FirstCells cells;
                           for (int task = range.start; task < range.end; ++task)
                           {
-                              const size_t begin = task / parts * perTask;
-                              const Range block((int)begin,
-                                                (int)std::min(begin + perTask, table.cells));
-                              if (edges.isOriented())
-                                  countBin(cell, bins, task % parts, block, chosen, table);
-                              else
-                                  countRows(cell, task % parts * FIRST_ROWS_PER_TASK, block, table);
+                              const size_t begin = task * perTask;
+                              cells.block =
+                                  Range((int)begin, (int)std::min(begin + perTask, table.cells));
+                              gather(votes, directions, cell, cells);
+                              countBlock(cell, edges.isOriented(), cells, table);
                           }
                       });
     }
@@ -148,115 +163,86 @@ public:
     }
 
 private:
-    //! The bins of all chords of a cell, by their indices.
-    static std::vector<uchar> binsOf(const Cell& cell)
+    /** Some cells of level 0, and their pixels sorted by their place in the cell: plane y width + x
+    holds pixel (x, y) of all of them, so that one chord of all cells is a sum of whole planes. The
+    low and the high bytes of the directions make as many planes each. */
+    struct FirstCells
     {
-        std::vector<uchar> bins(cell.chordCount());
-        for (int s = 0; s < cell.firstPoint(SIDE_LEFT); ++s)
-            for (int e = cell.firstPartner(cell.sideOf(s)); e < cell.borderCount(); ++e)
-            {
-                const Chord chord = {s, e};
-                bins[cell.chordIndex(s, e)] = (uchar)directionBin(cell, chord);
-            }
-        return bins;
+        Range block;
+        Buffer pixels, low, high, chosen;
+    };
+
+    //! An image with zeros up to the frame; the image itself if that is as large.
+    static Mat framed(const Mat& image, const Cell& frame, Mat& buffer)
+    {
+        if (image.empty() || (image.cols == frame.width && image.rows == frame.height))
+            return image;
+        copyMakeBorder(image, buffer, 0, frame.height - image.rows, 0, frame.width - image.cols,
+                       BORDER_CONSTANT);
+        return buffer;
     }
 
-    //! The votes of the chords of one bin of level 0, of a block of cells.
-    void countBin(const Cell& cell, const std::vector<uchar>& bins, int bin, const Range& block,
-                  Buffer& chosen, VoteTable& table) const
-    {
-        // The pixels that vote for the bin, once for all its chords.
-        const size_t cells = table.cells, planes = (size_t)cell.width * cell.height;
-        chosen.allocate(planes * block.size());
-        const uchar* own = planes_.data() + block.start;
-        const uchar* bits = directionPlanes_.data() + bin / 8 * planes * cells + block.start;
-        for (size_t i = 0; i < planes; ++i)
-            choosePixels(own + i * cells, bits + i * cells, (uchar)(1 << bin % 8), block.size(),
-                         chosen.data() + i * block.size());
-        std::vector<const uchar*> pixels(std::max(cell.width, cell.height));
-        for (int s = 0; s < cell.firstPoint(SIDE_LEFT); ++s)
-            for (int e = cell.firstPartner(cell.sideOf(s)); e < cell.borderCount(); ++e)
-                if (bins[cell.chordIndex(s, e)] == bin)
-                {
-                    const Chord chord = {s, e};
-                    countChord(cell, chord, chosen.data(), block.size(), block, pixels, table);
-                }
-    }
-
-    //! The votes of the chords of some rows of level 0, of a block of cells.
-    void countRows(const Cell& cell, int first, const Range& block, VoteTable& table) const
-    {
-        std::vector<const uchar*> pixels(std::max(cell.width, cell.height));
-        const int end = std::min(first + FIRST_ROWS_PER_TASK, cell.firstPoint(SIDE_LEFT));
-        for (int s = first; s < end; ++s)
-            for (int e = cell.firstPartner(cell.sideOf(s)); e < cell.borderCount(); ++e)
-            {
-                const Chord chord = {s, e};
-                countChord(cell, chord, planes_.data() + block.start, table.cells, block, pixels,
-                           table);
-            }
-    }
-
-    //! @param planes the first plane of the block; the next one is `distance` bytes on.
-    static void countChord(const Cell& cell, Chord chord, const uchar* planes, size_t distance,
-                           const Range& block, std::vector<const uchar*>& pixels, VoteTable& table)
-    {
-        int n = 0;
-        Raster(cell, chord)
-            .forEachPixel([&](int x, int y)
-                          { pixels[n++] = planes + ((size_t)y * cell.width + x) * distance; });
-        addPlanes(pixels.data(), n, block.size(),
-                  table.buffer.data() +
-                      (cell.chordIndex(chord.s, chord.e) * table.cells + block.start) * table.depth,
-                  table.depth);
-    }
-
-    /** Sorts the edge pixels by their place in the cell: plane y width + x holds pixel (x, y) of
-    all cells, in the order of the table, so that one chord of all cells is a sum of whole planes.
-    The directions' low bytes make as many planes again, the high bytes as many after these. */
-    void makePlanes(const EdgeMap& edges, const Plan& plan)
+    //! Where the cells of level 0 begin, in the order of the table.
+    void listOffsets(const Plan& plan, size_t stride)
     {
         const Level& level = plan.level(0);
-        const size_t size = level.cellCount() * level.cell.width * level.cell.height;
-        planes_.allocate(size);
-        scatter<uchar>(edges.votes, plan, planes_.data(), [](uchar value) { return value; });
-        if (!edges.isOriented())
-            return;
-        directionPlanes_.allocate(2 * size);
-        scatter<ushort>(edges.directions, plan, directionPlanes_.data(),
-                        [](ushort value) { return (uchar)(value & 0xFF); });
-        scatter<ushort>(edges.directions, plan, directionPlanes_.data() + size,
-                        [](ushort value) { return (uchar)(value >> 8); });
-    }
-
-    template<class Pixel, class ByteOf>
-    static void scatter(const Mat& image, const Plan& plan, uchar* planes, ByteOf byteOf)
-    {
-        const Level& level = plan.level(0);
-        const Cell cell = level.cell;
-        const size_t cells = level.cellCount(), size = cells * cell.width * cell.height;
-        if (level.grid.width * cell.width != image.cols ||
-            level.grid.height * cell.height != image.rows)
-            std::fill(planes, planes + size, (uchar)0);
         std::vector<int> rowBits, columnBits;
         plan.cellOrder(0, rowBits, columnBits);
-        parallel_for_(Range(0, image.rows),
-                      [&](const Range& range)
-                      {
-                          for (int y = range.start; y < range.end; ++y)
-                          {
-                              const Pixel* from = image.ptr<Pixel>(y);
-                              const int row = y / cell.height, inner = y % cell.height;
-                              for (int x = 0; x < cell.width; ++x)
-                              {
-                                  uchar* plane = planes + ((size_t)inner * cell.width + x) * cells +
-                                                 rowBits[row];
-                                  for (int column = 0, at = x; at < image.cols;
-                                       ++column, at += cell.width)
-                                      plane[columnBits[column]] = byteOf(from[at]);
-                              }
-                          }
-                      });
+        offsets_.resize(level.cellCount());
+        for (int row = 0; row < level.grid.height; ++row)
+            for (int column = 0; column < level.grid.width; ++column)
+                offsets_[rowBits[row] + columnBits[column]] =
+                    row * level.cell.height * stride + column * level.cell.width;
+    }
+
+    void gather(const Mat& votes, const Mat& directions, const Cell& cell, FirstCells& cells) const
+    {
+        const size_t count = cells.block.size(), size = count * cell.width * cell.height;
+        const size_t* const offsets = &offsets_[cells.block.start];
+        cells.pixels.allocate(size);
+        if (!directions.empty())
+        {
+            cells.low.allocate(size);
+            cells.high.allocate(size);
+            cells.chosen.allocate(size);
+        }
+        for (int y = 0, plane = 0; y < cell.height; ++y)
+            for (int x = 0; x < cell.width; ++x, ++plane)
+            {
+                gatherPixels(votes.ptr<uchar>(y) + x, offsets, count,
+                             cells.pixels.data() + plane * count);
+                if (!directions.empty())
+                    gatherDirections(directions.ptr<ushort>(y) + x, offsets, count,
+                                     cells.low.data() + plane * count,
+                                     cells.high.data() + plane * count);
+            }
+    }
+
+    void countBlock(const Cell& cell, bool isOriented, const FirstCells& cells,
+                    VoteTable& table) const
+    {
+        const size_t count = cells.block.size();
+        std::vector<ushort> buffer(chords_.longest() + 1);
+        const uchar* voting = cells.pixels.data();
+        int bin = -1;
+        for (size_t i = 0; i < chords_.count(); ++i)
+        {
+            if (isOriented && chords_.binOf(i) != bin)
+            {
+                // The pixels that vote for the bin, once for all its chords.
+                bin = chords_.binOf(i);
+                choosePixels(cells.pixels.data(), (bin < 8 ? cells.low : cells.high).data(),
+                             (uchar)(1 << bin % 8), count * cell.width * cell.height,
+                             cells.chosen.data());
+                voting = cells.chosen.data();
+            }
+            int pixelCount = 0;
+            const ushort* pixels = chords_.pixels(i, buffer.data(), pixelCount);
+            addPlanes(voting, pixels, pixelCount, count,
+                      table.buffer.data() +
+                          (chords_.indexOf(i) * table.cells + cells.block.start) * table.depth,
+                      table.depth);
+        }
     }
 
     template<class Pixel>
@@ -268,7 +254,10 @@ private:
         return result.ptr<Pixel>();
     }
 
-    Buffer planes_, directionPlanes_, transposed_, directionsTransposed_;
+    CellChords chords_;
+    Mat frame_, directionFrame_; // the edge map where the frame is larger
+    std::vector<size_t> offsets_;
+    Buffer transposed_, directionsTransposed_;
     EdgePlanes edgePlanes_; // of rescore
 };
 

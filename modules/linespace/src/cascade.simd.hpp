@@ -11,6 +11,7 @@
 // child's length.
 
 #include "stages.hpp"
+#include "vectors.hpp"
 
 namespace cv {
 namespace linespace {
@@ -30,15 +31,24 @@ struct ExactMaps
 
 CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 
-/** Adds up `count` planes of edge pixels for a range of cells.
-@param planes one pointer per pixel of the chord, to the plane's byte of the first cell of the
-range.
-@param votes first cell's votes, of `depth` bytes (1 or 2); the sums must fit. */
-void addPlanes(const uchar* const* planes, int count, size_t cells, void* votes, int depth);
+/** The same pixel of many cells, side by side.
+@param pixel of the cell at the image's top-left corner.
+@param offsets of the cells from that one. */
+void gatherPixels(const uchar* pixel, const size_t* offsets, size_t cells, uchar* plane);
 
-/** Of a plane, the pixels that have a bit of theirs set; the others become 0.
-@param bits to the byte with the pixel's bits, of the first cell of the range. */
-void choosePixels(const uchar* plane, const uchar* bits, uchar bit, size_t cells, uchar* chosen);
+//! The same of 16 direction bits, in two bytes.
+void gatherDirections(const ushort* pixel, const size_t* offsets, size_t cells, uchar* low,
+                      uchar* high);
+
+//! Of `count` pixels, those that have the bit among their bits; the others become 0.
+void choosePixels(const uchar* pixels, const uchar* bits, uchar bit, size_t count, uchar* chosen);
+
+/** Adds up the planes of the pixels of one chord.
+@param planes of `cells` bytes each, one after the other.
+@param pixels which of them.
+@param votes first cell's votes, of `depth` bytes (1 or 2); the sums must fit. */
+void addPlanes(const uchar* planes, const ushort* pixels, int count, size_t cells, void* votes,
+               int depth);
 
 /** Computes rows firstRow .. lastRow - 1 of all parents of a level.
 @param child table of the level below, childDepth bytes per vote, 2 * cells cells per chord.
@@ -57,58 +67,79 @@ void exactRow(const Cell& frame, int s, const ExactMaps& maps, void* votes, int 
 namespace {
 
 template<class Votes>
-void addPlanesOf(const uchar* const* planes, int count, size_t cells, Votes* votes)
+void addPlanesOf(const uchar* planes, const ushort* pixels, int count, size_t first, size_t cells,
+                 Votes* votes)
 {
-    // Four planes at a time: one load and one store of the sums for four loads of pixels.
-    int p = 0;
-    switch (count & 3)
+    for (size_t c = first; c < cells; ++c)
+        votes[c] = 0;
+    for (int p = 0; p < count; ++p)
     {
-    case 0: std::fill(votes, votes + cells, (Votes)0); break;
-    case 1:
-        for (size_t c = 0; c < cells; ++c)
-            votes[c] = planes[0][c];
-        break;
-    case 2:
-        for (size_t c = 0; c < cells; ++c)
-            votes[c] = (Votes)(planes[0][c] + planes[1][c]);
-        break;
-    default:
-        for (size_t c = 0; c < cells; ++c)
-            votes[c] = (Votes)(planes[0][c] + planes[1][c] + planes[2][c]);
-    }
-    for (p = count & 3; p < count; p += 4)
-    {
-        const uchar *p0 = planes[p], *p1 = planes[p + 1], *p2 = planes[p + 2], *p3 = planes[p + 3];
-        for (size_t c = 0; c < cells; ++c)
-            votes[c] = (Votes)(votes[c] + p0[c] + p1[c] + p2[c] + p3[c]);
+        const uchar* const plane = planes + pixels[p] * cells;
+        for (size_t c = first; c < cells; ++c)
+            votes[c] = (Votes)(votes[c] + plane[c]);
     }
 }
 
+#if LINESPACE_SIMD
+
+//! The cells of so many vectors, whose sums stay in registers.
+template<int Vectors>
+void addPlanesOfVectors(const uchar* planes, const ushort* pixels, int count, size_t cells,
+                        uchar* votes)
+{
+    v_uint8 sums[Vectors];
+    for (int k = 0; k < Vectors; ++k)
+        sums[k] = vx_setzero_u8();
+    for (int p = 0; p < count; ++p)
+    {
+        const uchar* const plane = planes + pixels[p] * cells;
+        for (int k = 0; k < Vectors; ++k)
+            sums[k] = v_add_wrap(sums[k], vx_load(plane + k * CV_SIMD_WIDTH));
+    }
+    for (int k = 0; k < Vectors; ++k)
+        v_store(votes + k * CV_SIMD_WIDTH, sums[k]);
+}
+
+//! The cells that fill vectors; returns how many they are.
+size_t addPlanesInVectors(const uchar* planes, const ushort* pixels, int count, size_t cells,
+                          uchar* votes)
+{
+    const size_t width = CV_SIMD_WIDTH;
+    size_t c = 0;
+    for (; c + 8 * width <= cells; c += 8 * width)
+        addPlanesOfVectors<8>(planes + c, pixels, count, cells, votes + c);
+    for (; c + 2 * width <= cells; c += 2 * width)
+        addPlanesOfVectors<2>(planes + c, pixels, count, cells, votes + c);
+    for (; c + width <= cells; c += width)
+        addPlanesOfVectors<1>(planes + c, pixels, count, cells, votes + c);
+    return c;
+}
+
+#else
+
+size_t addPlanesInVectors(const uchar*, const ushort*, int, size_t, uchar*)
+{
+    return 0;
+}
+
+#endif
+
 enum
 {
-    ROW_BLOCK = 16, // rows that share the lines of the child's table that a run of ends touches
-    END_BLOCK = 256 // ends per run: 256 lines of 64 bytes stay in a first-level cache
+    ROW_BLOCK = 8,     // rows that share the lines of the child's table that a run of ends touches
+    END_BLOCK = 128,   // ends per run: 256 lines of 64 bytes stay in a first-level cache
+    AHEAD = 16,        // runs from a line's prefetch to its use
+    SHORTEST_AHEAD = 8 // bytes of a run that is worth a prefetch
 };
 
-/** crossing(s, e + i) for i = 0 .. count - 1, e .. e + count - 1 on one side of one child.
-Numerator and denominator of the crossing are affine in i and, below 2^53, exact in double; the
-quotient's relative error of 2^-53 is less than its distance 1 / denominator to the next integer,
-unless it is one. So the truncated quotient is the exact floor, for cells of up to 2^25 x 2^25
-pixels. */
-void crossings(const Merge& merge, int s, int e, int count, int* m)
+//! Asks for the cache line of an address.
+inline void prefetch(const void* address)
 {
-    int alongS, acrossS, alongE, acrossE, alongNext, acrossNext;
-    merge.relativeTo(s, alongS, acrossS);
-    merge.relativeTo(e, alongE, acrossE);
-    merge.relativeTo(count > 1 ? e + 1 : e, alongNext, acrossNext);
-    // In that order both are positive if s lies on A, else both are negative: the same quotient.
-    const double numerator = (double)alongS * acrossE - (double)alongE * acrossS;
-    const double denominator = 2. * ((double)acrossE - acrossS);
-    const double numeratorStep =
-        (double)alongS * (acrossNext - acrossE) - (double)(alongNext - alongE) * acrossS;
-    const double denominatorStep = 2. * (acrossNext - acrossE);
-    for (int i = 0; i < count; ++i)
-        m[i] = (int)((numerator + i * numeratorStep) / (denominator + i * denominatorStep));
+#if defined __GNUC__ || defined __clang__
+    __builtin_prefetch(address);
+#else
+    (void)address;
+#endif
 }
 
 /** The runs of `count` chords (s, e + i): of each, `cells` votes are the sum of those at
@@ -121,6 +152,13 @@ void addRuns(const ChildVotes* a, ptrdiff_t strideA, const ChildVotes* b, ptrdif
     const size_t n = Cells > 0 ? (size_t)Cells : cells;
     for (int i = 0; i < count; ++i, b += stepB, parent += n)
     {
+        // No processor foresees where crossings lead. Shorter runs share their lines.
+        if (n * sizeof(ChildVotes) >= SHORTEST_AHEAD)
+        {
+            const int ahead = std::min(i + AHEAD, count - 1);
+            prefetch(a + m[ahead] * strideA);
+            prefetch(b + m[ahead] * strideB + (ahead - i) * stepB);
+        }
         const ChildVotes *partA = a + m[i] * strideA, *partB = b + m[i] * strideB;
         for (size_t c = 0; c < n; ++c)
             parent[c] = (ParentVotes)(partA[c] + partB[c]);
@@ -166,7 +204,9 @@ void mergeRowsOf(const Merge& merge, int firstRow, int lastRow, size_t cells,
                         copyRuns<Cells>(a + begin * run, length, cells, out);
                         continue;
                     }
-                    crossings(merge, row + r, e, length, m);
+                    const CrossingRun crossings(merge, row + r, e);
+                    for (int i = 0; i < length; ++i)
+                        m[i] = crossings.at(i);
                     const ChildVotes* b = child + (segment.chordE + begin * segment.stepE) * run +
                                           (1 - segment.childS) * n;
                     addRuns<Cells>(a, segment.strideS * run, b, segment.strideE * run,
@@ -225,18 +265,38 @@ void exactRowOf(const Cell& frame, int s, const ExactMaps& maps, Votes* votes)
 
 } // namespace
 
-void addPlanes(const uchar* const* planes, int count, size_t cells, void* votes, int depth)
-{
-    if (depth == 1)
-        addPlanesOf(planes, count, cells, (uchar*)votes);
-    else
-        addPlanesOf(planes, count, cells, (ushort*)votes);
-}
-
-void choosePixels(const uchar* plane, const uchar* bits, uchar bit, size_t cells, uchar* chosen)
+void gatherPixels(const uchar* pixel, const size_t* offsets, size_t cells, uchar* plane)
 {
     for (size_t c = 0; c < cells; ++c)
-        chosen[c] = (uchar)(plane[c] & ((bits[c] & bit) == bit ? 0xFF : 0));
+        plane[c] = pixel[offsets[c]];
+}
+
+void gatherDirections(const ushort* pixel, const size_t* offsets, size_t cells, uchar* low,
+                      uchar* high)
+{
+    for (size_t c = 0; c < cells; ++c)
+    {
+        const ushort bits = pixel[offsets[c]];
+        low[c] = (uchar)(bits & 0xFF);
+        high[c] = (uchar)(bits >> 8);
+    }
+}
+
+void choosePixels(const uchar* pixels, const uchar* bits, uchar bit, size_t count, uchar* chosen)
+{
+    for (size_t i = 0; i < count; ++i)
+        chosen[i] = (uchar)(pixels[i] & ((bits[i] & bit) == bit ? 0xFF : 0));
+}
+
+void addPlanes(const uchar* planes, const ushort* pixels, int count, size_t cells, void* votes,
+               int depth)
+{
+    if (depth == 1)
+        addPlanesOf(planes, pixels, count,
+                    addPlanesInVectors(planes, pixels, count, cells, (uchar*)votes), cells,
+                    (uchar*)votes);
+    else
+        addPlanesOf(planes, pixels, count, 0, cells, (ushort*)votes);
 }
 
 void mergeRows(const Merge& merge, int firstRow, int lastRow, size_t cells, const void* child,

@@ -2,7 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// OpenCV's vectors of 128 bits with their operators, in any of its versions, and whether to use them.
+// OpenCV's vectors, of 128 bits or of the instruction set's width, with their operators, in any of
+// its versions, and whether to use them.
 
 #ifndef OPENCV_LINESPACE_VECTORS_HPP
 #define OPENCV_LINESPACE_VECTORS_HPP
@@ -15,9 +16,11 @@
 
 // Where vectors have no fixed size (RISC-V), or to test what runs there, plain loops.
 #if defined LINESPACE_PLAIN_LOOPS || !CV_SIMD128
+#define LINESPACE_SIMD 0
 #define LINESPACE_SIMD128 0
 #define LINESPACE_SIMD128_64F 0
 #else
+#define LINESPACE_SIMD CV_SIMD
 #define LINESPACE_SIMD128 1
 #define LINESPACE_SIMD128_64F CV_SIMD128_64F
 #endif
