@@ -19,6 +19,7 @@ configure_file(cmake/cv_cpu_config.h.in "${linespace_config_dir}/cv_cpu_config.h
 
 file(GLOB sources CONFIGURE_DEPENDS src/*.cpp src/*.hpp include/opencv2/*.hpp)
 add_library(opencv_linespace ${sources})
+linespace_add_dispatched_file(opencv_linespace bundles AVX2 AVX512_SKX)
 linespace_add_dispatched_file(opencv_linespace cascade AVX2 AVX512_SKX)
 linespace_add_dispatched_file(opencv_linespace chord_lanes AVX2 AVX512_SKX)
 

@@ -7,6 +7,7 @@
 
 #include "ascent.hpp"
 #include "backends.hpp"
+#include "bundles.hpp"
 #include "gradients.hpp"
 #include "line_geometry.hpp"
 #include "parameters.hpp"
@@ -50,6 +51,8 @@ void writeCell(const VoteTable& table, const Cell& cell, size_t cellIndex, Mat o
         }
     }
 }
+
+const int MOST_PRUNED_RADIUS = 4;
 
 class LineSpaceDetectorImpl CV_FINAL : public LineSpaceDetector
 {
@@ -192,8 +195,8 @@ public:
     {
         plan_.reset();
         executor_.reset();
-        result_.buffer.release();
-        spare_.buffer.release();
+        tables_.release();
+        bundles_.clear();
         planes_.clear();
         left_.clear();
         strips_.clear();
@@ -263,10 +266,12 @@ private:
         // Of the whole map, of what lines taken leave of it, and of an executor that counts again.
         const bool recounts = parameters_.method != METHOD_EXACT && ascentRadius() == 0;
         const int copies = 1 + (parameters_.selection == SELECT_EXPLAIN) + recounts;
+        const int base = prunes() ? BundleSearch::baseLevel(plan, parameters_.edgeWeights) : -1;
         return copies * EdgePlanes::memory(plan.frame(), parameters_.edgeWeights, oriented) +
                (ascentRadius() > 0
                     ? ascentMemory(plan.frame(), parameters_.maxLines > 0 ? poolSize() : 0)
-                    : 0);
+                    : 0) +
+               (base >= 0 ? BundleSearch::memory(plan, base) : 0);
     }
 
     //! Candidates that are counted exactly.
@@ -294,6 +299,7 @@ private:
     {
         Ptr<const Plan> plan;
         Ptr<Executor> executor;
+        int level; //!< whose votes were counted last
         StageTimes times;
     };
 
@@ -308,7 +314,8 @@ private:
         activeBackend_ = executor_->backend();
     }
 
-    //! Counts the votes of a level (-1: the last one) into result_, and changes nothing else.
+    /** Counts the votes of a level (-1: the last one, or the one where bundles take over if the votes
+    are for lines), and changes nothing but tables_. */
     Counting count(InputArray input, const Gradients& gradients, int level, EdgeMap& edges,
                    bool writesTable = false)
     {
@@ -347,9 +354,10 @@ private:
         }
         counting.plan = plan;
         counting.executor = executor;
+        counting.level = writesTable ? level : levelForLines(*plan, *executor);
         counting.times.end("edge map");
-        countVotes(*executor, edges, *plan, parameters_.method == METHOD_EXACT, level, spare_,
-                   result_, counting.times);
+        countVotes(*executor, edges, *plan, parameters_.method == METHOD_EXACT, counting.level,
+                   tables_, counting.times);
         return counting;
     }
 
@@ -406,7 +414,7 @@ private:
         Mat table(shape.grid.height * points, shape.grid.width * points, CV_32SC1);
         for (int r = 0; r < shape.grid.height; ++r)
             for (int c = 0; c < shape.grid.width; ++c)
-                writeCell(result_, shape.cell, rowBits[r] + columnBits[c],
+                writeCell(tables_.of(l), shape.cell, rowBits[r] + columnBits[c],
                           table(Rect(c * points, r * points, points, points)));
         if (out.fixedSize() || out.isUMat())
             table.copyTo(out);
@@ -432,8 +440,7 @@ private:
             return;
         const AngleInterval angles = {parameters_.minTheta, parameters_.maxTheta};
         planes_.reset(edges, plan.frame());
-        std::vector<Candidate> candidates = candidatesFor(requirement, angles, plan);
-        counting.times.end("candidates");
+        std::vector<Candidate> candidates = candidatesFor(edges, requirement, angles, counting);
         if (parameters_.method != METHOD_EXACT) // whose table holds exact votes
         {
             recount(edges, plan, *counting.executor, candidates);
@@ -451,10 +458,36 @@ private:
         counting.times.end("selection");
     }
 
-    //! Those of the table whose exact votes may meet the requirement.
-    std::vector<Candidate> candidatesFor(const Requirement& requirement,
-                                         const AngleInterval& angles, const Plan& plan) const
+    //! Whether candidates are maxima among parallel chords, for the ascent, or by the suppression.
+    bool candidatesClimb() const
     {
+        return ascentRadius() > 0 && parameters_.suppression == SUPPRESS_RING &&
+               parameters_.suppressionRadius <= MAX_ASCENT_RADIUS;
+    }
+
+    //! Of large neighbourhoods a table shows more chords at a time.
+    bool prunes() const
+    {
+        return parameters_.pruning && parameters_.method == METHOD_CASCADED &&
+               parameters_.suppression == SUPPRESS_RING &&
+               parameters_.suppressionRadius <= MOST_PRUNED_RADIUS;
+    }
+
+    //! The level whose table lines are found from: the last one, or where bundles take over.
+    int levelForLines(const Plan& plan, const Executor& executor)
+    {
+        const int last = plan.levelCount() - 1;
+        const int base = prunes() && executor.backend() == BACKEND_CPU
+                             ? BundleSearch::baseLevel(plan, parameters_.edgeWeights)
+                             : -1;
+        return base < 0 || !bundles_.isWorthATry(plan.imageSize()) ? last : base;
+    }
+
+    //! The chords of the frame whose exact votes may meet the requirement.
+    std::vector<Candidate> candidatesFor(const EdgeMap& edges, const Requirement& requirement,
+                                         const AngleInterval& angles, Counting& counting)
+    {
+        const Plan& plan = *counting.plan;
         // The exact method's votes need no second count and no lower threshold.
         const bool exact = parameters_.method == METHOD_EXACT;
         const double ratio = exact ? 1 : parameters_.candidateRatio;
@@ -469,11 +502,29 @@ private:
                 return requirement.canBeMet(plan, candidate, ratio) &&
                        isInInterval(frame, angles, candidate);
             };
-        const bool climbs = ascentRadius() > 0 && parameters_.suppression == SUPPRESS_RING &&
-                            parameters_.suppressionRadius <= MAX_ASCENT_RADIUS;
-        return climbs ? findParallelMaxima(result_, frame, wanted)
-                      : findCandidates(result_, frame, wanted, parameters_.suppression,
-                                       parameters_.suppressionRadius);
+        wanted.leastVotes = requirement.leastVotes(ratio);
+        const int last = plan.levelCount() - 1, radius = parameters_.suppressionRadius;
+        if (counting.level < last)
+        {
+            const VoteTable& base = tables_.of(counting.level);
+            bundles_.bound(plan, counting.level, base, tables_.besides(counting.level));
+            counting.times.end("bounds");
+            std::vector<Candidate> found;
+            const bool isFound =
+                bundles_.find(plan, wanted, candidatesClimb() ? -1 : radius, base, found);
+            counting.times.end("bundles");
+            if (isFound)
+                return found;
+            mergeVotes(*counting.executor, edges, plan, counting.level, last, tables_,
+                       counting.times);
+        }
+        const VoteTable& table = tables_.of(last);
+        const std::vector<Candidate> found =
+            candidatesClimb()
+                ? findParallelMaxima(table, frame, wanted)
+                : findCandidates(table, frame, wanted, parameters_.suppression, radius);
+        counting.times.end("candidates");
+        return found;
     }
 
     std::vector<Selected> select(const EdgeMap& edges, const Plan& plan,
@@ -572,7 +623,8 @@ private:
     int planMethod_, planCellSize_;
     Ptr<Executor> executor_;
     int activeBackend_;
-    VoteTable result_, spare_;
+    VoteTables tables_;
+    BundleSearch bundles_;
     EdgePlanes planes_, left_; // left_: see selectLines
     VoteStrips strips_;
     std::vector<Vec3f> deviations_; // of the lines of the last detect

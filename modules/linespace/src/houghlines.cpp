@@ -46,7 +46,7 @@ std::vector<GridLine> countedLines(const EdgeMap& edges, const HoughGrid& grid, 
     const Ptr<const Plan> plan = Plan::cascaded(edges.votes.size(), 8);
     const int last = plan->levelCount() - 1;
     const EdgePixels pixels(edges);
-    VoteTable table, spare;
+    VoteTables tables;
     // To count the few pixels of a sparse map at every angle is cheaper than the last level of the
     // cascade alone.
     const bool isSparse = (double)pixels.count() * grid.angles < plan->frame().chordCount();
@@ -56,7 +56,7 @@ std::vector<GridLine> countedLines(const EdgeMap& edges, const HoughGrid& grid, 
     {
         const Ptr<Executor> executor = executorFor(BACKEND_AUTO, Ptr<Executor>());
         StageTimes times;
-        countVotes(*executor, edges, *plan, false, last, spare, table, times);
+        countVotes(*executor, edges, *plan, false, last, tables, times);
     }
     const int needed = std::max(1, cvFloor(CHORD_SHARE * threshold));
 
@@ -69,8 +69,8 @@ std::vector<GridLine> countedLines(const EdgeMap& edges, const HoughGrid& grid, 
                       for (int angle = range.start; angle < range.end; ++angle)
                       {
                           if (hasTable)
-                              supportedDistances(table, plan->frame(), grid, angle, needed,
-                                                 distances);
+                              supportedDistances(tables.of(last), plan->frame(), grid, angle,
+                                                 needed, distances);
                           else
                               allDistances(grid, angle, distances);
                           counter.count(angle, distances, votes);

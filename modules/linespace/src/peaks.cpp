@@ -2,7 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-#include "peaks.hpp"
+#include "ring_maxima.hpp"
 
 namespace cv {
 namespace linespace {
@@ -17,33 +17,10 @@ struct RingTable
     Cell frame;
     int borderCount;
 
-    int wrap(int p) const
+    //! 0 for two points on one side.
+    int operator()(int p, int q) const
     {
-        return p < 0 ? p + borderCount : p >= borderCount ? p - borderCount : p;
-    }
-
-    //! The entry of two border points; pairs on one side have no votes.
-    Candidate at(int p, int q) const
-    {
-        Candidate result = {0, std::min(p, q), std::max(p, q)};
-        if (frame.isChord(p, q))
-            result.votes = (int)votes[frame.chordIndex(result.s, result.e)];
-        return result;
-    }
-
-    bool isRingMaximum(const Candidate& candidate, int radius) const
-    {
-        for (int i = -radius; i <= radius; ++i)
-            for (int j = -radius; j <= radius; ++j)
-                if (isStronger(at(wrap(candidate.s + i), wrap(candidate.e + j)), candidate))
-                    return false;
-        return true;
-    }
-
-    bool isParallelMaximum(const Candidate& candidate) const
-    {
-        return !isStronger(at(wrap(candidate.s + 1), wrap(candidate.e - 1)), candidate) &&
-               !isStronger(at(wrap(candidate.s - 1), wrap(candidate.e + 1)), candidate);
+        return frame.isChord(p, q) ? (int)votes[frame.chordIndexOf(p, q)] : 0;
     }
 
     /** The ends [first, last) of row s for which the neighbourhood lies in whole rows of the table
@@ -128,15 +105,6 @@ std::vector<Candidate> collectByRows(int rows, int rowsPerTask, Collect collect)
     for (size_t i = 0; i < parts.size(); ++i)
         all.insert(all.end(), parts[i].begin(), parts[i].end());
     return all;
-}
-
-//! Keeps the strongest of the wanted number, in no particular order.
-void keepStrongest(std::vector<Candidate>& candidates, size_t count)
-{
-    if (count >= candidates.size())
-        return;
-    std::nth_element(candidates.begin(), candidates.begin() + count, candidates.end(), isStronger);
-    candidates.resize(count);
 }
 
 /** The local maxima of a table, for any neighbourhood: isInner(entry, length of a row) where
@@ -234,7 +202,8 @@ std::vector<Candidate> ringMaxima(const RingTable<Votes>& table, const Wanted& w
         table, radius, wanted,
         [=](const Votes* entry, ptrdiff_t rowLength)
         { return RingTable<Votes>::isInnerMaximum(entry, rowLength, radius); },
-        [=](const Candidate& candidate) { return table.isRingMaximum(candidate, radius); });
+        [=](const Candidate& candidate)
+        { return isRingMaximum(table, table.frame, candidate, radius); });
 }
 
 template<class Votes>
@@ -246,7 +215,8 @@ std::vector<Candidate> parallelMaximaOf(const VoteTable& votes, const Cell& fram
         table, 1, wanted,
         [](const Votes* entry, ptrdiff_t rowLength)
         { return entry[1 - rowLength] < *entry && entry[rowLength - 1] <= *entry; },
-        [=](const Candidate& candidate) { return table.isParallelMaximum(candidate); });
+        [=](const Candidate& candidate)
+        { return isParallelMaximum(table, table.frame, candidate); });
 }
 
 template<class Votes>
@@ -304,10 +274,10 @@ std::vector<Candidate> greedyMaxima(const RingTable<Votes>& table, int rows, int
         for (int i = -radius; i <= radius; ++i)
             for (int j = -radius; j <= radius; ++j)
             {
-                const Candidate neighbour =
-                    table.at(table.wrap(candidate.s + i), table.wrap(candidate.e + j));
-                if (table.frame.isChord(neighbour.s, neighbour.e))
-                    deleted[table.frame.chordIndex(neighbour.s, neighbour.e)] = true;
+                const int points = table.borderCount, p = (candidate.s + i + points) % points,
+                          q = (candidate.e + j + points) % points;
+                if (table.frame.isChord(p, q))
+                    deleted[table.frame.chordIndexOf(p, q)] = true;
             }
     }
     return kept;
@@ -342,6 +312,14 @@ std::vector<Candidate> findCandidatesOf(const VoteTable& votes, const Cell& fram
 }
 
 } // namespace
+
+void keepStrongest(std::vector<Candidate>& candidates, size_t count)
+{
+    if (count >= candidates.size())
+        return;
+    std::nth_element(candidates.begin(), candidates.begin() + count, candidates.end(), isStronger);
+    candidates.resize(count);
+}
 
 std::vector<Candidate> findCandidates(const VoteTable& table, const Cell& frame,
                                       const Wanted& wanted, int suppression, int radius)

@@ -38,7 +38,13 @@ struct Wanted
     size_t most;   //!< only so many, the strongest in the total order
     //! Candidates that it refuses do not count; empty: it takes all.
     std::function<bool(const Candidate&)> accepts;
+    //! By the number of a chord's pixels in the image: with fewer votes it refuses the chord; does
+    //! not decrease. Empty: nothing is known.
+    std::vector<int> leastVotes;
 };
+
+//! Keeps the strongest of the wanted number, in no particular order.
+void keepStrongest(std::vector<Candidate>& candidates, size_t count);
 
 /** The chords of a table of one cell with more than the wanted votes that survive a suppression.
 @param suppression one of enum Suppression. SUPPRESS_RING keeps the chords that are stronger, in the

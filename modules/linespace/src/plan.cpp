@@ -155,6 +155,37 @@ int Merge::crossing(int s, int e) const
     return m;
 }
 
+int Merge::direction(int p) const
+{
+    int along, across, alongNext, acrossNext;
+    relativeTo(p, along, across);
+    relativeTo(p + 1, alongNext, acrossNext);
+    if (acrossNext == across)
+        return alongNext > along ? 1 : -1;
+    // The nearer p comes to the shared line, the nearer the crossing comes to p, which lies at the
+    // start or the end of that line.
+    const bool comesNearer = std::abs(acrossNext) < std::abs(across);
+    return comesNearer == (along == 0) ? -1 : 1;
+}
+
+CrossingRun::CrossingRun(const Merge& merge, int s, int e)
+{
+    int alongS, acrossS, alongE, acrossE;
+    merge.relativeTo(s, alongS, acrossS);
+    merge.relativeTo(e, alongE, acrossE);
+    // The step to the next border point: along for the sides parallel to the shared one, across
+    // for the others, which begin and end on its line's ends.
+    const int side = merge.parent.sideOf(e);
+    const int step = side == SIDE_TOP || side == SIDE_RIGHT ? 2 : -2;
+    const bool isParallel = merge.horizontal == (side == SIDE_RIGHT || side == SIDE_LEFT);
+    const int alongStep = isParallel ? step : 0, acrossStep = isParallel ? 0 : step;
+    // In that order both are positive if s lies on A, else both are negative: the same quotient.
+    numerator_ = (double)alongS * acrossE - (double)alongE * acrossS;
+    denominator_ = 2. * ((double)acrossE - acrossS);
+    numeratorStep_ = (double)alongS * acrossStep - (double)alongStep * acrossS;
+    denominatorStep_ = 2. * acrossStep;
+}
+
 int rowSegments(const Merge& merge, int s, Segment segments[MAX_SEGMENTS])
 {
     const Cell &parent = merge.parent, &child = merge.child;
@@ -307,6 +338,37 @@ int Plan::visibleLength(Chord chord) const
                     ? end
                     : (int)std::min<int64>(end, (start - limit) / -(int64)raster.step + 1);
     return std::max(0, end - begin);
+}
+
+void Plan::leastVisibleLengths(int s, int firstEnd, int stride, int count, int steps,
+                               int* lengths) const
+{
+    const int side = frame().sideOf(firstEnd);
+    const int step = side == SIDE_TOP || side == SIDE_RIGHT ? 2 * stride : -2 * stride;
+    const bool isAcross = side == SIDE_TOP || side == SIDE_BOTTOM;
+    const Point first = frame().borderPoint(firstEnd) - frame().borderPoint(s);
+    const Point next(isAcross ? step : 0, isAcross ? 0 : step);
+    // Columns and rows that were added to the image: what a chord has there, as a share of it.
+    const int columns = frame().width - image_.width, rows = frame().height - image_.height;
+    const bool isPadded = columns > 0 || rows > 0;
+    for (int i = 0; i < count; ++i)
+    {
+        // Doubled; a step moves an end by one pixel at most, also around a corner.
+        const int dx = std::max(0, std::abs(first.x + i * next.x) - 4 * steps),
+                  dy = std::max(0, std::abs(first.y + i * next.y) - 4 * steps);
+        int length = std::max(dx, dy) / 2;
+        if (isPadded)
+            length = (int)(length * (1 - std::min(1., 2. * columns / std::max(1, dx) +
+                                                          2. * rows / std::max(1, dy))));
+        // An end may lose a pixel to rounding, the one on a far border another.
+        lengths[i] = std::max(0, length - 2);
+    }
+}
+
+int Plan::mostVisibleLength(Chord chord) const
+{
+    const Point difference = frame().borderPoint(chord.e) - frame().borderPoint(chord.s);
+    return std::max(std::abs(difference.x), std::abs(difference.y)) / 2 + 1;
 }
 
 } // namespace linespace

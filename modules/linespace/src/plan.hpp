@@ -159,6 +159,7 @@ struct Merge
     Cell child, parent;
     bool horizontal;
 
+    Merge() : horizontal(true) {}
     Merge(const Cell& childCell, bool isHorizontal);
 
     int sharedCount() const { return horizontal ? child.height : child.width; }
@@ -180,6 +181,28 @@ struct Merge
     //! Doubled coordinates of p along and across the shared side, relative to the latter's line and
     //! start.
     void relativeTo(int p, int& along, int& across) const;
+
+    /** 1 or -1: how crossing(p, q) changes with p, if it does, from p to p + 1 on one side of one
+    child, for any q on the other child. */
+    int direction(int p) const;
+};
+
+/** crossing(s, e + i), all e + i on one side of one child. Numerator and denominator are affine in i
+and, below 2^53, exact in double; the quotient's relative error of 2^-53 is less than its distance
+1 / denominator to the next integer, unless it is one. So the truncated quotient is the exact floor,
+for cells of up to 2^25 x 2^25 pixels. */
+class CrossingRun
+{
+public:
+    CrossingRun() : numerator_(0), numeratorStep_(0), denominator_(1), denominatorStep_(0) {}
+    CrossingRun(const Merge& merge, int s, int e);
+    int at(int i) const
+    {
+        return (int)((numerator_ + i * numeratorStep_) / (denominator_ + i * denominatorStep_));
+    }
+
+private:
+    double numerator_, numeratorStep_, denominator_, denominatorStep_;
 };
 
 /** A run of chords (s, e) of one row of the parent, e = firstEnd .. firstEnd + count - 1, that all
@@ -238,6 +261,14 @@ public:
     /** Number of pixels of a chord of the frame that lie in the image: the largest number of votes
     the chord could have. */
     int visibleLength(Chord chord) const;
+    /** Bounds of visibleLength, quicker than itself, of the chords (s, firstEnd + i stride), all ends
+    on one side, i = 0 .. count - 1.
+    @param lengths not more than the visible length of that chord, nor of any other whose ends are
+    at most `steps` border points from its ends on the ring. */
+    void leastVisibleLengths(int s, int firstEnd, int stride, int count, int steps,
+                             int* lengths) const;
+    //! Not less than visibleLength.
+    int mostVisibleLength(Chord chord) const;
 
 private:
     Plan(Size image) : image_(image) {}

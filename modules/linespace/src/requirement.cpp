@@ -42,6 +42,21 @@ int leastSignificant(const std::vector<int>& votes)
 
 } // namespace
 
+std::vector<int> Requirement::leastVotes(double ratio) const
+{
+    std::vector<int> least;
+    for (size_t bin = 0; bin < pixels.size(); ++bin)
+        for (size_t length = 0; length < pixels[bin].size(); ++length)
+        {
+            const int votes = cvCeil(ratio * pixels[bin][length]);
+            if (bin == 0)
+                least.push_back(votes);
+            else
+                least[length] = std::min(least[length], votes);
+        }
+    return least;
+}
+
 Requirement moreVotesThan(int threshold)
 {
     Requirement requirement;

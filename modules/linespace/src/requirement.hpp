@@ -21,7 +21,7 @@ struct Requirement
 {
     int threshold; //!< votes must be more than this, for any chord
     //! Empty, or by the chord's bin (one for all if the map is not oriented) and its number of
-    //! pixels in the image.
+    //! pixels in the image, with which it does not decrease.
     std::vector<std::vector<int>> pixels;
 
     /** For the cascade's votes: whether the chord can meet the requirement.
@@ -29,9 +29,24 @@ struct Requirement
     weighted votes are never fewer than the pixels that the statistical rule asks for. */
     bool canBeMet(const Plan& plan, const Candidate& candidate, double ratio) const
     {
-        return candidate.votes > cvFloor(ratio * threshold) &&
-               (pixels.empty() || candidate.votes >= ratio * pixelsNeeded(plan, candidate));
+        if (candidate.votes <= cvFloor(ratio * threshold))
+            return false;
+        if (pixels.empty())
+            return true;
+        // Bounds of the chord's length decide on nearly all.
+        const Chord chord = candidate.chord();
+        const std::vector<int>& needed = pixelsFor(plan, chord);
+        const int most = std::min(plan.mostVisibleLength(chord), (int)needed.size() - 1);
+        int least;
+        plan.leastVisibleLengths(chord.s, chord.e, 1, 1, 0, &least);
+        if (candidate.votes < ratio * needed[least])
+            return false;
+        return candidate.votes >= ratio * needed[most] ||
+               candidate.votes >= ratio * needed[plan.visibleLength(chord)];
     }
+
+    //! By the number of pixels in the image: with fewer votes canBeMet() is false. Empty: of no use.
+    std::vector<int> leastVotes(double ratio) const;
 
     //! For exact votes. The statistical rule counts pixels, whatever their weights.
     bool isMet(const EdgePlanes& planes, const Plan& plan, const Candidate& candidate) const
@@ -39,15 +54,18 @@ struct Requirement
         if (!canBeMet(plan, candidate, 1))
             return false;
         return pixels.empty() || !planes.isWeighted() ||
-               ChordCounter(planes).pixels(candidate.chord()) >= pixelsNeeded(plan, candidate);
+               ChordCounter(planes).pixels(candidate.chord()) >=
+                   pixelsNeeded(plan, candidate.chord());
     }
 
 private:
-    int pixelsNeeded(const Plan& plan, const Candidate& candidate) const
+    const std::vector<int>& pixelsFor(const Plan& plan, Chord chord) const
     {
-        const Chord chord = candidate.chord();
-        const int bin = pixels.size() > 1 ? directionBin(plan.frame(), chord) : 0;
-        return pixels[bin][plan.visibleLength(chord)];
+        return pixels[pixels.size() > 1 ? directionBin(plan.frame(), chord) : 0];
+    }
+    int pixelsNeeded(const Plan& plan, Chord chord) const
+    {
+        return pixelsFor(plan, chord)[plan.visibleLength(chord)];
     }
 };
 

@@ -10,22 +10,25 @@ namespace cv {
 namespace linespace {
 
 void countVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, bool exact, int level,
-                VoteTable& spare, VoteTable& result, StageTimes& times)
+                VoteTables& tables, StageTimes& times)
 {
-    // The tables alternate such that the last level's is `result`.
-    VoteTable* current = level % 2 == 0 ? &result : &spare;
-    VoteTable* next = level % 2 == 0 ? &spare : &result;
-    current->allocate(plan.level(0), edges.depthFor(plan.level(0).maxVotes));
+    VoteTable& first = tables.of(0);
+    first.allocate(plan.level(0), edges.depthFor(plan.level(0).maxVotes));
     if (exact)
-        executor.exactVotes(edges, plan, *current);
+        executor.exactVotes(edges, plan, first);
     else
-        executor.firstCells(edges, plan, *current);
+        executor.firstCells(edges, plan, first);
     times.end("level 0");
-    for (int l = 1; l <= level; ++l)
+    mergeVotes(executor, edges, plan, 0, level, tables, times);
+}
+
+void mergeVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, int from, int to,
+                VoteTables& tables, StageTimes& times)
+{
+    for (int l = from + 1; l <= to; ++l)
     {
-        next->allocate(plan.level(l), edges.depthFor(plan.level(l).maxVotes));
-        executor.mergeCells(plan, l, *current, *next);
-        std::swap(current, next);
+        tables.of(l).allocate(plan.level(l), edges.depthFor(plan.level(l).maxVotes));
+        executor.mergeCells(plan, l, tables.of(l - 1), tables.of(l));
         times.end(format("level %d", l));
     }
 }
@@ -42,9 +45,11 @@ double workingMemory(const Plan& plan, bool weighted, bool oriented, int level)
         most[l % 2] = std::max(most[l % 2], bytes);
     }
     const double pixels = (double)plan.frame().width * plan.frame().height;
-    // Votes: a byte each, without and with the mask and in the back end's order. Directions: two
-    // bytes each in all of these but the first; estimating them takes 11 bytes for a while.
-    return most[0] + most[1] + (oriented ? 3 + 11 : 3) * pixels;
+    // Votes: a byte each, without and with the mask and in the back end's frame or order.
+    // Directions: two bytes each in all of these but the first; estimating them takes 11 bytes for
+    // a while. And where each cell of level 0 begins.
+    return most[0] + most[1] + (oriented ? 3 + 11 : 3) * pixels +
+           (double)plan.level(0).cellCount() * sizeof(size_t);
 }
 
 int chordVotes(const EdgeMap& edges, const Cell& frame, Chord chord)

@@ -122,12 +122,32 @@ public:
 Ptr<Executor> createReferenceExecutor(); // reference.cpp
 Ptr<Executor> createCpuExecutor();       // cascade.dispatch.cpp
 
-/** Runs the cascade (or the exact method, for a plan of one level made for it) up to a level.
-@param spare a second table, for the level below; the two change places from level to level.
-@param result where the level's votes are on return.
+//! The tables of a level and the one before: levels take turns in two.
+struct VoteTables
+{
+    VoteTable& of(int level) { return tables_[level % 2]; }
+    const VoteTable& of(int level) const { return tables_[level % 2]; }
+    //! Memory that is free until the next level is merged.
+    Buffer& besides(int level) { return of(level + 1).buffer; }
+    void release()
+    {
+        tables_[0].buffer.release();
+        tables_[1].buffer.release();
+    }
+
+private:
+    VoteTable tables_[2];
+};
+
+/** Runs the cascade (or the exact method, for a plan of one level made for it) up to a level, whose
+votes are in tables.of(level) on return.
 @param times has a stage for each level on return. */
 void countVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, bool exact, int level,
-                VoteTable& spare, VoteTable& result, StageTimes& times);
+                VoteTables& tables, StageTimes& times);
+
+//! Goes on from level `from`, which was counted, to level `to`.
+void mergeVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, int from, int to,
+                VoteTables& tables, StageTimes& times);
 
 /** Bytes that countVotes needs for its two tables, and everybody for copies of the edge map, but
 for EdgePlanes. */

@@ -1,0 +1,560 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// The inner loops of the search by bundles (bundles.hpp), compiled once per instruction set and
+// chosen at run time (bundles.cpp). Every function takes some rows of bundles, so rows can be
+// shared out to threads; all but `require` write what belongs to these rows alone.
+
+#include "bundles.hpp"
+
+namespace cv {
+namespace linespace {
+
+CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
+
+/** Bounds of the first level: of each bundle and cell, the most votes in the table.
+@param rows of bundles, numbered as the border points of level.coarse. */
+void poolVotes(const VoteTable& table, const Cell& cell, const Range& rows, BundleLevel& level);
+
+//! Bounds of a level from those of its children.
+void mergeBounds(const Merge& merge, const BundleLevel& child, const Range& rows,
+                 BundleLevel& parent);
+
+//! How many bundles of these rows are needed.
+size_t countNeeded(const Range& rows, const BundleLevel& level);
+
+/** Gives the needed bundles of these rows slots from `slot` on, and finds what they cross.
+@param merge to the level; null: it is the first one. */
+void assignSlots(const Merge* merge, const Range& rows, int slot, BundleLevel& level);
+
+/** Requires of the bundles of children what those of the parent that are needed ask for. Not for
+several threads at once on the same children. */
+void require(const Merge& merge, const BundleLevel& parent, Children which, BundleLevel& child);
+
+//! Votes of the bundles with a slot, of the first level.
+void takeVotes(const VoteTable& table, const Cell& cell, const Range& rows, BundleLevel& level);
+
+//! Votes of the bundles with a slot from the children's.
+void mergeVotes(const Merge& merge, const BundleLevel& child, const Range& rows,
+                BundleLevel& parent);
+
+//! Appends the chords of these rows, of the last level, that were counted and have more votes.
+void collectAbove(int votes, const Range& rows, const BundleLevel& level,
+                  std::vector<Candidate>& found);
+
+#ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
+
+namespace {
+
+const int SIDE = BUNDLE_SIDE;
+
+//! The bundles of some rows, as indices of the level's arrays.
+struct BundleRange
+{
+    size_t begin, end;
+
+    BundleRange(const Range& rows, const BundleLevel& level)
+    {
+        const Cell& coarse = level.coarse;
+        begin = coarse.rowStart(rows.start) * level.cells;
+        end = rows.end < coarse.firstPoint(SIDE_LEFT) ? coarse.rowStart(rows.end) * level.cells
+                                                      : level.bundleCount();
+    }
+};
+
+//! Cells > 0 is the number of cells known when compiling.
+template<int Cells, class Votes>
+void poolVotesOf(const Votes* votes, const Cell& cell, const Range& rows, BundleLevel& level)
+{
+    const size_t n = Cells > 0 ? (size_t)Cells : level.cells;
+    for (int s = rows.start; s < rows.end; ++s)
+    {
+        const int side = level.coarse.sideOf(s), ends = level.coarse.rowLength(side);
+        ushort* const bounds = &level.bounds[level.coarse.rowStart(s) * n];
+        const ptrdiff_t rowLength = SIDE * ends * n;
+        const Votes* run = votes + cell.rowStart(SIDE * s) * n;
+        for (int e = 0; e < ends; ++e, run += SIDE * n)
+            for (size_t c = 0; c < n; ++c)
+            {
+                Votes most = 0;
+                for (int i = 0; i < SIDE; ++i)
+                    for (int j = 0; j < SIDE; ++j)
+                        most = std::max(most, run[i * rowLength + j * n + c]);
+                bounds[e * n + c] = most;
+            }
+    }
+}
+
+template<class Votes>
+void poolVotesFor(const Votes* votes, const Cell& cell, const Range& rows, BundleLevel& level)
+{
+    switch (level.cells)
+    {
+    case 2: return poolVotesOf<2>(votes, cell, rows, level);
+    case 4: return poolVotesOf<4>(votes, cell, rows, level);
+    case 8: return poolVotesOf<8>(votes, cell, rows, level);
+    case 16: return poolVotesOf<16>(votes, cell, rows, level);
+    default: return poolVotesOf<0>(votes, cell, rows, level);
+    }
+}
+
+/** Bundles (s, s's partners e = firstEnd + i) of one row and one segment of it: where their chords
+cross the shared side. A crossing moves one way with either end, so the outermost two chords of a
+bundle tell. */
+class BundleCrossings
+{
+public:
+    BundleCrossings(const Merge& merge, int s, const Segment& segment)
+    {
+        const int firstEnd = SIDE * segment.firstEnd;
+        const int lastS = merge.direction(SIDE * s) > 0 ? SIDE - 1 : 0,
+                  lastE = merge.direction(firstEnd) > 0 ? SIDE - 1 : 0;
+        least_ = CrossingRun(merge, SIDE * s + SIDE - 1 - lastS, firstEnd + SIDE - 1 - lastE);
+        most_ = CrossingRun(merge, SIDE * s + lastS, firstEnd + lastE);
+    }
+    //! The bundles of the shared side that bundle i meets are first .. last.
+    int first(int i) const { return least_.at(SIDE * i) / SIDE; }
+    int last(int i) const { return most_.at(SIDE * i) / SIDE; }
+
+private:
+    CrossingRun least_, most_;
+};
+
+template<int Cells>
+void mergeBoundsOf(const Merge& merge, const BundleLevel& child, const Range& rows,
+                   BundleLevel& parent)
+{
+    const size_t n = Cells > 0 ? (size_t)Cells : parent.cells;
+    const ptrdiff_t run = 2 * (ptrdiff_t)n;
+    const Merge coarse(child.coarse, merge.horizontal);
+    enum
+    {
+        BLOCK = 128
+    };
+    int first[BLOCK], last[BLOCK];
+    for (int s = rows.start; s < rows.end; ++s)
+    {
+        Segment segments[MAX_SEGMENTS];
+        const int count = rowSegments(coarse, s, segments);
+        ushort* out = &parent.bounds[parent.coarse.rowStart(s) * n];
+        for (int k = 0; k < count; ++k)
+        {
+            const Segment& segment = segments[k];
+            const ushort* const a =
+                child.bounds + segment.chordS * run + segment.childS * (ptrdiff_t)n;
+            if (!segment.isCrossing)
+            {
+                for (int i = 0; i < segment.count; ++i, out += n)
+                    for (size_t c = 0; c < n; ++c)
+                        out[c] = a[i * run + c];
+                continue;
+            }
+            const ushort* const b =
+                child.bounds + segment.chordE * run + (1 - segment.childS) * (ptrdiff_t)n;
+            const BundleCrossings crossings(merge, s, segment);
+            for (int begin = 0; begin < segment.count; begin += BLOCK)
+            {
+                const int length = std::min<int>(BLOCK, segment.count - begin);
+                for (int i = 0; i < length; ++i)
+                {
+                    first[i] = crossings.first(begin + i);
+                    last[i] = crossings.last(begin + i);
+                }
+                for (int i = 0; i < length; ++i, out += n)
+                {
+                    const ushort* const own = b + (begin + i) * segment.stepE * run;
+                    ushort most[Cells > 0 ? Cells : 1];
+                    ushort* const best = Cells > 0 ? most : out;
+                    for (size_t c = 0; c < n; ++c)
+                        best[c] = 0;
+                    // Most meet two or one, which makes no difference then.
+                    const auto meet = [&](int m)
+                    {
+                        const ushort *partA = a + m * segment.strideS * run,
+                                     *partB = own + m * segment.strideE * run;
+                        for (size_t c = 0; c < n; ++c)
+                            best[c] = std::max(best[c], (ushort)(partA[c] + partB[c]));
+                    };
+                    meet(first[i]);
+                    meet(last[i]);
+                    for (int m = first[i] + 1; m < last[i]; ++m)
+                        meet(m);
+                    if (Cells > 0)
+                        for (size_t c = 0; c < n; ++c)
+                            out[c] = best[c];
+                }
+            }
+        }
+    }
+}
+
+/** Calls visit(index) for the bundles that are needed, [begin, end) of them, and passes over
+stretches of others at once. */
+template<class Visit>
+void forEachNeeded(const ushort* required, size_t count, Visit visit)
+{
+    const size_t stretch = 16;
+    size_t i = 0;
+    for (; i + stretch <= count; i += stretch)
+    {
+        ushort least = USHRT_MAX;
+        for (size_t k = 0; k < stretch; ++k)
+            least = std::min(least, required[i + k]);
+        if (least == BundleLevel::NOT_NEEDED)
+            continue;
+        for (size_t k = i; k < i + stretch; ++k)
+            if (required[k] != BundleLevel::NOT_NEEDED)
+                visit(k);
+    }
+    for (; i < count; ++i)
+        if (required[i] != BundleLevel::NOT_NEEDED)
+            visit(i);
+}
+
+/** How the votes of a part are found in a child's bundle: of the chord from the i-th point of a run
+of the parent's border to the u-th point of a run of the shared side, at i * step + shared(u). */
+struct PartOrder
+{
+    int step, sharedStep, firstShared;
+
+    PartOrder(const Merge& coarse, int childNumber, int point)
+    {
+        const bool sharedComesFirst = coarse.sharedPoint(childNumber, 0) < point;
+        step = sharedComesFirst ? 1 : SIDE;
+        sharedStep = sharedComesFirst ? SIDE : 1;
+        firstShared = 0;
+        if (coarse.sharedDirection(childNumber) < 0)
+        {
+            firstShared = (SIDE - 1) * sharedStep;
+            sharedStep = -sharedStep;
+        }
+    }
+};
+
+template<class Votes>
+void takeVotesOf(const Votes* votes, const Cell& cell, const Range& rows, BundleLevel& level)
+{
+    const size_t n = level.cells;
+    for (int s = rows.start; s < rows.end; ++s)
+    {
+        const size_t start = level.coarse.rowStart(s) * n;
+        const size_t count = level.coarse.rowLength(level.coarse.sideOf(s)) * n;
+        const ptrdiff_t rowLength = cell.rowLength(cell.sideOf(SIDE * s));
+        const Votes* const row = votes + cell.rowStart(SIDE * s) * n;
+        forEachNeeded(&level.required[start], count,
+                      [&](size_t at)
+                      {
+                          ushort* out = level.votesOf(start + at);
+                          const Votes* from =
+                              row + (at >> level.cellBits) * SIDE * n + (at & (n - 1));
+                          for (int i = 0; i < SIDE; ++i, from += rowLength * n)
+                              for (int j = 0; j < SIDE; ++j)
+                                  *out++ = (ushort)from[j * n];
+                      });
+    }
+}
+
+const ushort NO_VOTES[BUNDLE_CHORDS] = {};
+
+inline const ushort* votesIfNeeded(const BundleLevel& level, size_t bundle)
+{
+    return level.required[bundle] == BundleLevel::NOT_NEEDED ? NO_VOTES : level.votesOf(bundle);
+}
+
+/** Bundles of one segment of a row whose chords cross the shared side, and how their votes are put
+together. */
+class BundleParts
+{
+public:
+    BundleParts(const Merge& merge, const Merge& coarse, int s, const Segment& segment,
+                const BundleLevel& child, size_t cells)
+        : segment_(segment), child_(child), run_(2 * (ptrdiff_t)cells),
+          a_(segment.chordS * run_ + segment.childS * cells),
+          b_(segment.chordE * run_ + (1 - segment.childS) * cells),
+          orderA_(coarse, segment.childS, coarse.childPoint(s)),
+          orderB_(coarse, 1 - segment.childS, coarse.childPoint(segment.firstEnd))
+    {
+        for (int i = 0; i < SIDE; ++i)
+            runs_[i] = CrossingRun(merge, SIDE * s + i, SIDE * segment.firstEnd);
+    }
+
+    //! The votes of bundle i of a cell.
+    void add(int i, size_t cell, const BundleLevel::Crossed& crossed, ushort* out) const
+    {
+        // Where the votes of the points crossed stand is looked up once for all chords. More than a
+        // few bundles are crossed only close to the ends of the shared side.
+        const ushort *a[MOST_POINTS], *b[MOST_POINTS];
+        const int firstPoint = SIDE * crossed.first,
+                  points = SIDE * (crossed.last + 1) - firstPoint;
+        if (points > MOST_POINTS)
+            return addOneByOne(i, cell, out);
+        for (int m = crossed.first; m <= crossed.last; ++m)
+        {
+            const ushort *partsA = partA(m, cell), *partsB = partB(m, i, cell);
+            const ushort** const pointsA = a + SIDE * (m - crossed.first);
+            const ushort** const pointsB = b + SIDE * (m - crossed.first);
+            for (int u = 0; u < SIDE; ++u)
+            {
+                pointsA[u] = partsA + u * orderA_.sharedStep;
+                pointsB[u] = partsB + u * orderB_.sharedStep;
+            }
+        }
+        for (int row = 0; row < SIDE; ++row, out += SIDE)
+        {
+            int m[SIDE];
+            for (int j = 0; j < SIDE; ++j)
+                m[j] = runs_[row].at(SIDE * i + j) - firstPoint;
+            for (int j = 0; j < SIDE; ++j)
+                out[j] = (ushort)(a[m[j]][row * orderA_.step] + b[m[j]][j * orderB_.step]);
+        }
+    }
+
+private:
+    enum
+    {
+        MOST_POINTS = 4 * SIDE
+    };
+
+    void addOneByOne(int i, size_t cell, ushort* out) const
+    {
+        for (int row = 0; row < SIDE; ++row)
+            for (int j = 0; j < SIDE; ++j)
+            {
+                const int m = runs_[row].at(SIDE * i + j), u = m % SIDE;
+                *out++ =
+                    (ushort)(partA(m / SIDE, cell)[row * orderA_.step + u * orderA_.sharedStep] +
+                             partB(m / SIDE, i, cell)[j * orderB_.step + u * orderB_.sharedStep]);
+            }
+    }
+
+    const ushort* partA(int m, size_t cell) const
+    {
+        return votesIfNeeded(child_, a_ + m * segment_.strideS * run_ + cell) + orderA_.firstShared;
+    }
+    const ushort* partB(int m, int i, size_t cell) const
+    {
+        return votesIfNeeded(child_,
+                             b_ + (m * segment_.strideE + i * segment_.stepE) * run_ + cell) +
+               orderB_.firstShared;
+    }
+
+    const Segment& segment_;
+    const BundleLevel& child_;
+    const ptrdiff_t run_, a_, b_;
+    const PartOrder orderA_, orderB_;
+    CrossingRun runs_[SIDE];
+};
+
+} // namespace
+
+void poolVotes(const VoteTable& table, const Cell& cell, const Range& rows, BundleLevel& level)
+{
+    if (table.depth == 1)
+        poolVotesFor(table.ptr<uchar>(), cell, rows, level);
+    else
+        poolVotesFor(table.ptr<ushort>(), cell, rows, level);
+}
+
+void mergeBounds(const Merge& merge, const BundleLevel& child, const Range& rows,
+                 BundleLevel& parent)
+{
+    switch (parent.cells)
+    {
+    case 1: return mergeBoundsOf<1>(merge, child, rows, parent);
+    case 2: return mergeBoundsOf<2>(merge, child, rows, parent);
+    case 4: return mergeBoundsOf<4>(merge, child, rows, parent);
+    case 8: return mergeBoundsOf<8>(merge, child, rows, parent);
+    case 16: return mergeBoundsOf<16>(merge, child, rows, parent);
+    default: return mergeBoundsOf<0>(merge, child, rows, parent);
+    }
+}
+
+size_t countNeeded(const Range& rows, const BundleLevel& level)
+{
+    const BundleRange range(rows, level);
+    size_t count = 0;
+    for (size_t i = range.begin; i < range.end; ++i)
+        count += level.required[i] != BundleLevel::NOT_NEEDED;
+    return count;
+}
+
+void assignSlots(const Merge* merge, const Range& rows, int slot, BundleLevel& level)
+{
+    if (!merge)
+    {
+        const BundleRange range(rows, level);
+        forEachNeeded(&level.required[range.begin], range.end - range.begin,
+                      [&](size_t at) { level.slots[range.begin + at] = slot++; });
+        return;
+    }
+    const Merge coarse(Cell(merge->child.width / SIDE, merge->child.height / SIDE),
+                       merge->horizontal);
+    for (int s = rows.start; s < rows.end; ++s)
+    {
+        Segment segments[MAX_SEGMENTS];
+        const int count = rowSegments(coarse, s, segments);
+        size_t start = level.coarse.rowStart(s) << level.cellBits;
+        for (int k = 0; k < count; start += (size_t)segments[k].count << level.cellBits, ++k)
+        {
+            const size_t bundles = (size_t)segments[k].count << level.cellBits;
+            if (!segments[k].isCrossing)
+            {
+                forEachNeeded(&level.required[start], bundles,
+                              [&](size_t at) { level.slots[start + at] = slot++; });
+                continue;
+            }
+            const BundleCrossings crossings(*merge, s, segments[k]);
+            forEachNeeded(&level.required[start], bundles,
+                          [&](size_t at)
+                          {
+                              const int i = (int)(at >> level.cellBits);
+                              BundleLevel::Crossed& crossed = level.crossedOf(slot);
+                              crossed.first = crossings.first(i);
+                              crossed.last = crossings.last(i);
+                              level.slots[start + at] = slot++;
+                          });
+        }
+    }
+}
+
+void require(const Merge& merge, const BundleLevel& parent, Children which, BundleLevel& child)
+{
+    const int bits = parent.cellBits, rows = parent.coarse.firstPoint(SIDE_LEFT);
+    const ptrdiff_t n = (ptrdiff_t)parent.cells, run = 2 * n;
+    const Merge coarse(child.coarse, merge.horizontal);
+    const auto requireVotes = [&](ptrdiff_t bundle, int votes)
+    {
+        ushort& required = child.required[bundle];
+        required = std::min(required, (ushort)std::max(0, votes));
+    };
+    for (int s = 0; s < rows; ++s)
+    {
+        Segment segments[MAX_SEGMENTS];
+        const int count = rowSegments(coarse, s, segments);
+        size_t start = parent.coarse.rowStart(s) << bits;
+        for (int k = 0; k < count; start += (size_t)segments[k].count << bits, ++k)
+        {
+            const Segment& segment = segments[k];
+            const ushort* const needed = &parent.required[start];
+            const bool ofS = which == CHILDREN_BOTH || (int)which == segment.childS,
+                       ofE = which == CHILDREN_BOTH || !ofS;
+            const ptrdiff_t a = segment.chordS * run + segment.childS * n;
+            if (!segment.isCrossing)
+            {
+                if (ofS)
+                    forEachNeeded(needed, (size_t)segment.count << bits,
+                                  [&](size_t at) {
+                                      requireVotes(a + (ptrdiff_t)(at >> bits) * run +
+                                                       (at & (n - 1)),
+                                                   needed[at]);
+                                  });
+                continue;
+            }
+            const ptrdiff_t b = segment.chordE * run + (1 - segment.childS) * n;
+            forEachNeeded(
+                needed, (size_t)segment.count << bits,
+                [&](size_t at)
+                {
+                    const BundleLevel::Crossed& crossed =
+                        parent.crossedOf(parent.slots[start + at]);
+                    const ptrdiff_t cell = at & (n - 1), i = (ptrdiff_t)(at >> bits);
+                    for (int m = crossed.first; m <= crossed.last; ++m)
+                    {
+                        const ptrdiff_t partS = a + m * segment.strideS * run + cell,
+                                        partE = b + cell +
+                                                (m * segment.strideE + i * segment.stepE) * run;
+                        const int boundS = child.bounds[partS], boundE = child.bounds[partE];
+                        if (boundS + boundE < needed[at])
+                            continue;
+                        if (ofS)
+                            requireVotes(partS, needed[at] - boundE);
+                        if (ofE)
+                            requireVotes(partE, needed[at] - boundS);
+                    }
+                });
+        }
+    }
+}
+
+void takeVotes(const VoteTable& table, const Cell& cell, const Range& rows, BundleLevel& level)
+{
+    if (table.depth == 1)
+        takeVotesOf(table.ptr<uchar>(), cell, rows, level);
+    else
+        takeVotesOf(table.ptr<ushort>(), cell, rows, level);
+}
+
+void mergeVotes(const Merge& merge, const BundleLevel& child, const Range& rows,
+                BundleLevel& parent)
+{
+    const int bits = parent.cellBits;
+    const ptrdiff_t n = (ptrdiff_t)parent.cells, run = 2 * n;
+    const Merge coarse(child.coarse, merge.horizontal);
+    for (int s = rows.start; s < rows.end; ++s)
+    {
+        Segment segments[MAX_SEGMENTS];
+        const int count = rowSegments(coarse, s, segments);
+        size_t start = parent.coarse.rowStart(s) << bits;
+        for (int k = 0; k < count; start += (size_t)segments[k].count << bits, ++k)
+        {
+            const Segment& segment = segments[k];
+            const ushort* const needed = &parent.required[start];
+            const size_t bundles = (size_t)segment.count << bits;
+            if (!segment.isCrossing)
+            {
+                const ptrdiff_t a = segment.chordS * run + segment.childS * n;
+                forEachNeeded(needed, bundles,
+                              [&](size_t at)
+                              {
+                                  const ushort* from = child.votesOf(
+                                      a + (ptrdiff_t)(at >> bits) * run + (at & (n - 1)));
+                                  std::copy(from, from + BUNDLE_CHORDS, parent.votesOf(start + at));
+                              });
+                continue;
+            }
+            const BundleParts parts(merge, coarse, s, segment, child, n);
+            forEachNeeded(needed, bundles,
+                          [&](size_t at)
+                          {
+                              const int slot = parent.slots[start + at];
+                              parts.add((int)(at >> bits), at & (n - 1), parent.crossedOf(slot),
+                                        parent.votesIn(slot));
+                          });
+        }
+    }
+}
+
+void collectAbove(int votes, const Range& rows, const BundleLevel& level,
+                  std::vector<Candidate>& found)
+{
+    for (int s = rows.start; s < rows.end; ++s)
+    {
+        const int side = level.coarse.sideOf(s), firstEnd = level.coarse.firstPartner(side);
+        const size_t start = level.coarse.rowStart(s);
+        forEachNeeded(&level.required[start], level.coarse.rowLength(side),
+                      [&](size_t at)
+                      {
+                          const ushort* own = level.votesOf(start + at);
+                          ushort most = 0;
+                          for (int k = 0; k < BUNDLE_CHORDS; ++k)
+                              most = std::max(most, own[k]);
+                          if (most <= votes)
+                              return;
+                          for (int k = 0; k < BUNDLE_CHORDS; ++k)
+                          {
+                              const Candidate chord = {own[k], SIDE * s + k / SIDE,
+                                                       SIDE * (firstEnd + (int)at) + k % SIDE};
+                              if (chord.votes > votes)
+                                  found.push_back(chord);
+                          }
+                      });
+    }
+}
+
+#endif // CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
+
+CV_CPU_OPTIMIZATION_NAMESPACE_END
+
+} // namespace linespace
+} // namespace cv
