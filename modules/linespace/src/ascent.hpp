@@ -7,8 +7,7 @@
 #ifndef OPENCV_LINESPACE_ASCENT_HPP
 #define OPENCV_LINESPACE_ASCENT_HPP
 
-#include "peaks.hpp"
-#include "vote_strips.hpp"
+#include "vote_squares.hpp"
 
 namespace cv {
 namespace linespace {
@@ -21,10 +20,10 @@ enum
 /** Moves candidates to maxima of the exact votes: to the strongest chord in the total order of the
 (2 radius + 1)^2 ring neighbourhood, and so on until none is stronger.
 @param radius 1 to MAX_ASCENT_RADIUS.
-@param strips of the frame, reset.
+@param squares of the frame, reset.
 @param candidates with any votes; on return, in the total order, the maxima that they came to, each
 once, with exact votes. */
-void climbToMaxima(const ChordCounter& counter, const Cell& frame, int radius, VoteStrips& strips,
+void climbToMaxima(const ChordCounter& counter, const Cell& frame, int radius, VoteSquares& squares,
                    std::vector<Candidate>& candidates);
 
 //! Bytes that this takes for so many candidates, 0: for any number, but for the candidates.

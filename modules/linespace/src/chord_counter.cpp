@@ -56,6 +56,14 @@ int ChordCounter::votes(Chord chord) const
                     [=](ptrdiff_t pixel) { return (bits[pixel] >> shift & 1) * values[pixel]; });
 }
 
+int ChordCounter::voteAcross(const EdgePlanes::Plane* planes, int column, int minor, int bin) const
+{
+    if (planes_.isOriented() &&
+        !(planes[EdgePlanes::planeOf(bin)].row(column)[minor] & EdgePlanes::bitOf(bin)))
+        return 0;
+    return planes_.has(EdgePlanes::VOTES) ? planes[EdgePlanes::VOTES].row(column)[minor] : 1;
+}
+
 int ChordCounter::pixels(Chord chord) const
 {
     const Raster raster(frame_, chord);

@@ -19,44 +19,26 @@ class ChordCounter
 public:
     explicit ChordCounter(const EdgePlanes& planes) : planes_(planes), frame_(planes.frame()) {}
 
-    //! Votes of a chord of the frame; may be called from several threads at once, as countNear.
+    //! Votes of a chord of the frame; may be called from several threads at once, as countSquare.
     int votes(Chord chord) const;
     //! The number of edge pixels that vote for it, whatever their weights.
     int pixels(Chord chord) const;
 
-    //! Chords that are counted together at most.
     enum
     {
-        MOST_NEAR = 32
+        SQUARE = 8,
+        PARALLEL = 16 //!< parallel chords that are counted like one, without AVX2
     };
-    /** Votes of chords whose ends are within two border points of those of `middle`, in either
-    order; with AVX2, for chords of up to 8000 pixels, a little more than the time of one for all,
-    else one after the other. `middle` need not be one of them. */
-    void countNear(Chord middle, const Chord* chords, int count, int* votes) const;
-
-    enum
-    {
-        PARALLEL = 16,    //!< chords that are counted like one
-        MOST_PARALLEL = 8 //!< such groups at once
-    };
-    /** The chords (s + i, e - i), i = -before to PARALLEL - 1 - before, of one between opposite
-    sides, s < e. They are parallel, and their rasters are the chord's, shifted by i pixels. */
-    struct ParallelChords
-    {
-        Chord chord;
-        int before;
-    };
-    /** PARALLEL votes for each of some groups, best near one another. What is said of chords that
-    would leave the two sides has no meaning. */
-    void countParallel(const ParallelChords* chords, int count, int* votes) const;
+    /** Votes of chords near one another, (first.s + i, first.e + j), i, j = 0 to SQUARE - 1: writes
+    votes[i SQUARE + j] where that bit of `wanted` is set, which must be chords between the sides
+    of `first`, s < e. With AVX2, for chords of up to 8192 pixels, 32 take a little more than the
+    time of one; else those of each diagonal that are between opposite sides. */
+    void countSquare(Chord first, uint64 wanted, int* votes) const;
 
 private:
-    struct ParallelWalk;
-    bool startParallel(const ParallelChords& chords, ParallelWalk& walk) const;
-    void countOneByOne(const ParallelChords& chords, int* votes) const;
+    void countDiagonals(Chord first, uint64 wanted, int* votes) const;
+    bool countParallel(Chord chord, int* votes) const;
     int voteAcross(const EdgePlanes::Plane* planes, int column, int minor, int bin) const;
-    bool countLanes(const Raster& guide, const Range& columns, const Raster* rasters,
-                    const int* bins, int count, int* votes) const;
 
     const EdgePlanes& planes_;
     const Cell frame_;

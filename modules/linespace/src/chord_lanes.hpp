@@ -13,53 +13,81 @@
 namespace cv {
 namespace linespace {
 
-/** Rasters of the same major axis, from their first common column on. Falling ones are kept as
-rising ones, the remainder r as modulus - 1 - r: it passes the modulus where r falls below 0. */
+/** The line of a chord by its ends in doubled coordinates, x along its major axis: it begins at
+(x, y) and goes on by (dx, dy), dx > 0. Its pixel in column c is the floor of
+(y dx + (2 c + 1 - x) dy) / (2 dx). As all these numerators have the same parity, half of the
+numerator, rounded down, over dx has the same floor. y is relative to an even one that is the same
+for all lanes, so that products fit 32 bits. */
+struct LaneLine
+{
+    int x, y, dx, dy;
+    //! The numerator over dx.
+    int64 at(int column) const { return ((int64)y * dx + (int64)(2 * column + 1 - x) * dy) >> 1; }
+};
+
+//! Lines that are counted together, all rising or level, or all falling (dy < 0).
 struct ChordLanes
 {
     enum
     {
         COUNT = 32,
-        REACH = 2 //!< no lane's pixel is farther from the guide's, see LaneMap
+        //! What the ends may be apart from those of the guide, in pixels. The chord itself is then
+        //! no farther from it in any column, see LaneMap.
+        REACH = 4,
+        //! The least and most of dx: for REACH, and because of the fractions.
+        LEAST_DX = 64,
+        MOST_DX = 16384
     };
-    short rest[COUNT];      //!< the remainder, 0 to modulus - 1
-    short step[COUNT];      //!< 0 to modulus
-    short modulus[COUNT];   //!< 1 to 2^15 - 1
-    uchar position[COUNT];  //!< of the first pixel in the window
-    uchar direction[COUNT]; //!< 1, or 255 where the chord falls
-    uchar bit[COUNT];       //!< of the pixels that vote, where there are bits; 0: none
+    int count;
+    int x[COUNT], y[COUNT], dx[COUNT], dy[COUNT]; //!< dy != dx
+    uchar bit[COUNT]; //!< of the pixels that vote, where the map has bits
+
+    ChordLanes() : count(0) {}
+    void add(const LaneLine& line, uchar ownBit)
+    {
+        x[count] = line.x;
+        y[count] = line.y;
+        dx[count] = line.dx;
+        dy[count] = line.dy;
+        bit[count++] = ownBit;
+    }
+    LaneLine line(int lane) const
+    {
+        const LaneLine result = {x[lane], y[lane], dx[lane], dy[lane]};
+        return result;
+    }
 };
 
-/** What the lanes run over: rows of pixels across the chords, one for each column of the rasters.
-The window of a column is 16 pixels and starts `below` before the guide, one of the chords, which is
-at (start + i increment) >> 32 in the i-th column. Windows are readable beyond the map. */
+/** What the lanes run over: rows of pixels across the chords, one for each of their columns, with
+zeros where a line that is drawn on beyond its ends leaves the map; so the lanes of chords that
+begin or end up to 2 REACH - 1 columns later than others need nothing special.
+
+All pixels of a column are in a window of 16, which follows a guide, one of the chords or their
+like: at the first of RUN columns the lanes are within REACH of it, and go on by up to RUN - 1
+pixels until the window is moved (upwards, if that of a falling group moves down by a pixel in each
+column). */
 struct LaneMap
 {
-    const uchar* votes; //!< of the first column; 0 or 1, or weights
+    const uchar* votes; //!< of column 0; 0 or 1, or weights
     const uchar* bits;  //!< null: all pixels vote
     bool weighted;
     ptrdiff_t stride;
-    int columns;
-    int64 start, increment;
-    int below;
+    int firstColumn, columns;
+    LaneLine guide;
+    bool falling;
 
     enum
     {
         WINDOW = 16,
-        //! Columns from one move of the window to the next: the lanes go as far as RUN - 1 pixels
-        //! the guide's way meanwhile, and BACK the other way, as chords of MIN_COLUMNS whose ends
-        //! are apart by at most REACH differ in slope by a quarter at most.
-        RUN = 8,
-        BACK = 3,
-        MIN_COLUMNS = 16
+        RUN = 8
     };
-    static int belowFor(bool guideFalls) { return ChordLanes::REACH + (guideFalls ? +RUN : +BACK); }
 };
 
 //! Whether the machine's instruction set is worth it.
 bool hasChordLanes();
 
-//! Adds each lane's votes to votes[lane]; only if hasChordLanes().
+//! The votes of each lane, of all ChordLanes::COUNT if there are that many; only if
+//! hasChordLanes().
 void countChordLanes(const ChordLanes& lanes, const LaneMap& map, int* votes);
 
 } // namespace linespace

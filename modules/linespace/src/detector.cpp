@@ -199,7 +199,7 @@ public:
         bundles_.clear();
         planes_.clear();
         left_.clear();
-        strips_.clear();
+        squares_.clear();
         deviations_.clear();
         stageTimes_ = StageTimes();
         activeBackend_ = -1;
@@ -585,8 +585,8 @@ private:
         if (ascentRadius() > 0)
         {
             const ChordCounter counter(planes_);
-            strips_.reset(plan.frame());
-            climbToMaxima(counter, plan.frame(), ascentRadius(), strips_, candidates);
+            squares_.reset(plan.frame());
+            climbToMaxima(counter, plan.frame(), ascentRadius(), squares_, candidates);
             return;
         }
         std::vector<Chord> chords(candidates.size());
@@ -626,7 +626,7 @@ private:
     VoteTables tables_;
     BundleSearch bundles_;
     EdgePlanes planes_, left_; // left_: see selectLines
-    VoteStrips strips_;
+    VoteSquares squares_;
     std::vector<Vec3f> deviations_; // of the lines of the last detect
     StageTimes stageTimes_;         // of the last call
 };

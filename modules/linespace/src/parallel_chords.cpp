@@ -12,6 +12,9 @@ namespace linespace {
 
 namespace {
 
+const int PARALLEL = ChordCounter::PARALLEL;
+const int MOST_STEPS = 252; // pixels until a sum of bytes, or of weights in shorts, may be full
+
 //! The pixels of a raster, as offsets from the first pixel of a plane.
 struct Steps
 {
@@ -41,24 +44,24 @@ struct StepsAcross : Steps
     }
 };
 
-static_assert((int)ChordCounter::PARALLEL <= (int)EdgePlanes::MARGIN, "reads beyond a row");
+static_assert(PARALLEL <= (int)EdgePlanes::MARGIN, "reads beyond a row");
 
 #if LINESPACE_SIMD128
 
 void addBytes(const v_uint8x16& sums, int* votes)
 {
-    uchar bytes[ChordCounter::PARALLEL];
+    uchar bytes[PARALLEL];
     v_store(bytes, sums);
-    for (int i = 0; i < ChordCounter::PARALLEL; ++i)
+    for (int i = 0; i < PARALLEL; ++i)
         votes[i] += bytes[i];
 }
 
 void addShorts(const v_uint16x8& low, const v_uint16x8& high, int* votes)
 {
-    ushort shorts[ChordCounter::PARALLEL];
+    ushort shorts[PARALLEL];
     v_store(shorts, low);
     v_store(shorts + 8, high);
-    for (int i = 0; i < ChordCounter::PARALLEL; ++i)
+    for (int i = 0; i < PARALLEL; ++i)
         votes[i] += shorts[i];
 }
 
@@ -121,7 +124,7 @@ void sumParallelBy(AnySteps& allSteps, int count, const uchar* values, const uch
     for (; count > 0; --count)
     {
         const ptrdiff_t pixel = allSteps.next();
-        for (int i = 0; i < ChordCounter::PARALLEL; ++i)
+        for (int i = 0; i < PARALLEL; ++i)
             if (!IsOriented || (bits[pixel + i] & ownBit))
                 votes[i] += IsOriented && !IsWeighted ? 1 : values[pixel + i];
     }
@@ -142,82 +145,36 @@ void sumParallel(Steps& steps, int count, const uchar* values, const uchar* bits
 
 } // namespace
 
-//! A chord on its way: what sumParallel needs to go on.
-struct ChordCounter::ParallelWalk
+/** Votes of the chords (s + i, e - i), i = 0 to PARALLEL - 1, of one between opposite sides, s < e:
+they are parallel, and their rasters are the chord's, shifted by i pixels. What is said of chords
+that would leave the two sides has no meaning. False if the chord is too long for it. */
+bool ChordCounter::countParallel(Chord chord, int* votes) const
 {
-    Steps steps;
-    int left; //!< pixels
-    const uchar *values, *bits;
-    uchar bit;
-};
-
-void ChordCounter::countParallel(const ParallelChords* chords, int count, int* votes) const
-{
-    CV_DbgAssert(count <= MOST_PARALLEL);
-    ParallelWalk walks[MOST_PARALLEL];
-    int longest = 0;
-    std::fill(votes, votes + count * PARALLEL, 0);
-    for (int i = 0; i < count; ++i)
-    {
-        walks[i].left = 0;
-        if (!startParallel(chords[i], walks[i]))
-            countOneByOne(chords[i], votes + i * PARALLEL);
-        longest = std::max(longest, walks[i].left);
-    }
-    const bool oriented = planes_.isOriented(), weighted = planes_.isWeighted();
-    const auto sum = oriented ? (weighted ? sumParallel<true, true> : sumParallel<false, true>)
-                              : (weighted ? sumParallel<true, false> : sumParallel<false, false>);
-    // All of them for some columns, before the cache has forgotten these.
-    const int columns = 128;
-    for (int done = 0; done < longest; done += columns)
-        for (int i = 0; i < count; ++i)
-        {
-            ParallelWalk& walk = walks[i];
-            const int now = std::min(columns, walk.left);
-            if (now <= 0) // not started, or done
-                continue;
-            sum(walk.steps, now, walk.values, walk.bits, walk.bit, votes + i * PARALLEL);
-            walk.left -= now;
-        }
-}
-
-bool ChordCounter::startParallel(const ParallelChords& chords, ParallelWalk& walk) const
-{
-    const Chord chord = chords.chord;
     const bool downwards = frame_.sideOf(chord.s) == SIDE_TOP;
     CV_DbgAssert(frame_.sideOf(chord.e) == frame_.sideOf(chord.s) + 2);
     const Raster raster(frame_, chord);
-    if (!raster.fixedPoint(walk.steps.minor, walk.steps.increment))
+    Steps steps;
+    if (!raster.fixedPoint(steps.minor, steps.increment))
         return false;
     // From the top, s + 1 is one to the right; from the right, one down.
     const EdgePlanes::Plane* const planes = downwards ? planes_.upright() : planes_.transposed();
-    const int bin = planes_.isOriented() ? directionBin(frame_, chord) : 0;
-    const EdgePlanes::Plane* const own =
-        planes_.isOriented() ? &planes[EdgePlanes::planeOf(bin)] : 0;
+    const bool oriented = planes_.isOriented(), weighted = planes_.isWeighted();
+    const int bin = oriented ? directionBin(frame_, chord) : 0;
+    const EdgePlanes::Plane* const own = oriented ? &planes[EdgePlanes::planeOf(bin)] : 0;
     const ptrdiff_t stride = planes[own ? EdgePlanes::LOW_BITS : EdgePlanes::VOTES].stride;
     const bool alongRows = raster.xMajor == downwards;
-    walk.steps.majorStride = alongRows ? 1 : stride;
-    walk.steps.minorStride = alongRows ? stride : 1;
-    walk.steps.major = raster.first * walk.steps.majorStride;
-    walk.left = raster.count;
-    walk.values =
-        planes_.has(EdgePlanes::VOTES) ? planes[EdgePlanes::VOTES].row(0) - chords.before : 0;
-    walk.bits = own ? own->row(0) - chords.before : 0;
-    walk.bit = EdgePlanes::bitOf(bin);
+    steps.majorStride = alongRows ? 1 : stride;
+    steps.minorStride = alongRows ? stride : 1;
+    steps.major = raster.first * steps.majorStride;
+    const uchar* const values =
+        planes_.has(EdgePlanes::VOTES) ? planes[EdgePlanes::VOTES].row(0) : 0;
+    const uchar* const bits = own ? own->row(0) : 0;
+    const auto sum = oriented ? (weighted ? sumParallel<true, true> : sumParallel<false, true>)
+                              : (weighted ? sumParallel<true, false> : sumParallel<false, false>);
+    std::fill(votes, votes + PARALLEL, 0);
+    for (int left = raster.count; left > 0; left -= MOST_STEPS)
+        sum(steps, std::min<int>(left, MOST_STEPS), values, bits, EdgePlanes::bitOf(bin), votes);
     return true;
-}
-
-void ChordCounter::countOneByOne(const ParallelChords& chords, int* votes) const
-{
-    const Chord chord = chords.chord;
-    for (int i = 0; i < PARALLEL; ++i)
-    {
-        const Chord one = {chord.s + i - chords.before, chord.e - i + chords.before};
-        if (one.s >= 0 && one.e < frame_.borderCount() &&
-            frame_.sideOf(one.s) == frame_.sideOf(chord.s) &&
-            frame_.sideOf(one.e) == frame_.sideOf(chord.e))
-            votes[i] = this->votes(one);
-    }
 }
 
 } // namespace linespace
