@@ -15,8 +15,8 @@ namespace opencv_test {
 
 #define LINESPACE_SIZES                                                                            \
     testing::Values(cv::Size(64, 64), cv::Size(128, 128), cv::Size(256, 256), cv::Size(512, 512),  \
-                    cv::Size(1024, 1024), cv::Size(640, 480), cv::Size(1280, 720),                 \
-                    cv::Size(1920, 1080))
+                    cv::Size(1024, 1024), cv::Size(2048, 2048), cv::Size(4096, 4096),              \
+                    cv::Size(640, 480), cv::Size(1280, 720), cv::Size(1920, 1080))
 
 /** One of OpenCV's sample photographs in grey, scaled to the size. The folder is that of the
 environment variable LINESPACE_SAMPLES_DATA, without which the test is skipped. */

@@ -27,6 +27,32 @@ PERF_TEST_P(Detector_Photograph, detect,
     SANITY_CHECK_NOTHING();
 }
 
+//! The same, counting everything.
+PERF_TEST_P(Detector_Photograph, detect_unpruned,
+            testing::Combine(testing::Values("building.jpg", "home.jpg"), LINESPACE_SIZES))
+{
+    const cv::Mat edges = photographEdges(get<0>(GetParam()), get<1>(GetParam()));
+    const int threshold = std::min(edges.cols, edges.rows) / 5;
+    const cv::Ptr<ls::LineSpaceDetector> detector = ls::LineSpaceDetector::create(threshold, 100);
+    detector->setPruning(false);
+    std::vector<cv::Vec3f> lines;
+    TEST_CYCLE() detector->detect(edges, lines);
+    EXPECT_FALSE(lines.empty());
+    SANITY_CHECK_NOTHING();
+}
+
+//! A detector's first image: the plan and all memory are new.
+PERF_TEST_P(Detector_Photograph, detect_first,
+            testing::Combine(testing::Values("building.jpg"), LINESPACE_SIZES))
+{
+    const cv::Mat edges = photographEdges(get<0>(GetParam()), get<1>(GetParam()));
+    const int threshold = std::min(edges.cols, edges.rows) / 5;
+    std::vector<cv::Vec3f> lines;
+    TEST_CYCLE() ls::LineSpaceDetector::create(threshold, 100)->detect(edges, lines);
+    EXPECT_FALSE(lines.empty());
+    SANITY_CHECK_NOTHING();
+}
+
 //! With the statistical threshold, and one line per edge.
 PERF_TEST_P(Detector_Photograph, detect_significant,
             testing::Combine(testing::Values("building.jpg", "home.jpg"), LINESPACE_SIZES))
@@ -96,6 +122,48 @@ PERF_TEST_P(Detector_Table, compute,
 }
 
 typedef perf::TestBaseWithParam<int> Detector_Level;
+
+typedef perf::TestBaseWithParam<tuple<cv::Size, int>> Detector_Stage;
+
+/** The stages of detect, by their own clock: the first cells, the merges, the search of the last
+levels, what counts candidates exactly, and the choice of lines. */
+PERF_TEST_P(Detector_Stage, detect, testing::Combine(LINESPACE_SIZES, testing::Range(0, 5)))
+{
+    static const char* const prefixes[][3] = {{"level 0", "", ""},
+                                              {"level ", "", ""},
+                                              {"bounds", "bundles", "candidates"},
+                                              {"ascent", "", ""},
+                                              {"selection", "", ""}};
+    const cv::Mat edges = photographEdges("building.jpg", get<0>(GetParam()));
+    const int threshold = std::min(edges.cols, edges.rows) / 5, wanted = get<1>(GetParam());
+    const cv::Ptr<ls::LineSpaceDetector> detector = ls::LineSpaceDetector::create(threshold, 100);
+    std::vector<cv::Vec3f> lines;
+    std::vector<cv::String> stages;
+    std::vector<double> milliseconds;
+    const double ticks = cv::getTickFrequency() / 1000;
+    while (next())
+    {
+        detector->detect(edges, lines);
+        detector->getStageTimes(stages, milliseconds);
+        double sum = 0;
+        for (size_t i = 0; i < stages.size(); ++i)
+            for (int k = 0; k < 3; ++k)
+            {
+                const cv::String prefix = prefixes[wanted][k];
+                if (!prefix.empty() && stages[i].compare(0, prefix.size(), prefix) == 0 &&
+                    (wanted != 1 || stages[i] != "level 0"))
+                    sum += milliseconds[i];
+            }
+        // The harness times what runs between start and stop, and a stage has no call of its own:
+        // it is given a wait of the stage's time.
+        const int64 begin = cv::getTickCount();
+        startTimer();
+        while (cv::getTickCount() - begin < (int64)(sum * ticks))
+            ;
+        stopTimer();
+    }
+    SANITY_CHECK_NOTHING();
+}
 
 //! One level after the other of 512 x 512, written out as a table: the difference of two is a
 //! merge.

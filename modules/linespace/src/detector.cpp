@@ -195,6 +195,7 @@ public:
     {
         plan_.reset();
         executor_.reset();
+        images_ = Images();
         tables_.release();
         bundles_.clear();
         planes_.clear();
@@ -294,6 +295,13 @@ private:
                        parameters_.memoryLimit));
     }
 
+    //! What an edge map is made of; kept, so that the next one needs no memory.
+    struct Images
+    {
+        Mat votes, masked, directions;
+        EstimatedGradients estimated;
+    };
+
     //! What votes were counted by.
     struct Counting
     {
@@ -347,7 +355,9 @@ private:
         edges.votes = votingPixels(image);
         if (gradients.isOriented)
         {
-            edges.directions = gradients.bits(edges.votes, parameters_.orientationTolerance);
+            gradients.findBits(edges.votes, parameters_.orientationTolerance, images_.estimated,
+                               images_.directions);
+            edges.directions = images_.directions;
             edges.isEstimated = gradients.dx.empty();
             edges.dx = gradients.dx;
             edges.dy = gradients.dy;
@@ -361,26 +371,19 @@ private:
         return counting;
     }
 
-    Mat votingPixels(const Mat& image) const
+    //! The image, or 1 where it is not 0, under the mask.
+    const Mat& votingPixels(const Mat& image)
     {
-        Mat votes;
         if (parameters_.edgeWeights)
-            votes = image.clone();
+            image.copyTo(images_.votes);
         else
-            threshold(image, votes);
-        if (!mask_.empty())
-        {
-            Mat masked = Mat::zeros(votes.size(), CV_8UC1);
-            votes.copyTo(masked, mask_);
-            votes = masked;
-        }
-        return votes;
-    }
-
-    //! 1 where the image is not 0.
-    static void threshold(const Mat& image, Mat& votes)
-    {
-        cv::min(image, Scalar(1), votes);
+            cv::min(image, Scalar(1), images_.votes);
+        if (mask_.empty())
+            return images_.votes;
+        images_.masked.create(image.size(), CV_8UC1);
+        images_.masked.setTo(0);
+        images_.votes.copyTo(images_.masked, mask_);
+        return images_.masked;
     }
 
     //! Bytes of a level's output; throws if an array cannot be so large.
@@ -623,6 +626,7 @@ private:
     int planMethod_, planCellSize_;
     Ptr<Executor> executor_;
     int activeBackend_;
+    Images images_;
     VoteTables tables_;
     BundleSearch bundles_;
     EdgePlanes planes_, left_; // left_: see selectLines

@@ -4,8 +4,6 @@
 
 #include "gradients.hpp"
 
-#include "orientation.hpp"
-
 #include <cmath>
 #include <limits>
 
@@ -74,13 +72,13 @@ void Gradients::check(Size size) const
     }
 }
 
-Mat Gradients::bits(const Mat& votes, double tolerance) const
+void Gradients::findBits(const Mat& votes, double tolerance, EstimatedGradients& estimated,
+                         Mat& bits) const
 {
     if (!dx.empty())
-        return directionBits(votes, dx, dy, tolerance);
-    Mat estimatedX, estimatedY;
-    estimateGradients(votes, estimatedX, estimatedY);
-    return directionBits(votes, estimatedX, estimatedY, tolerance);
+        return directionBits(votes, dx, dy, tolerance, bits);
+    estimateGradients(votes, estimated);
+    directionBits(votes, estimated.dx, estimated.dy, tolerance, bits);
 }
 
 } // namespace linespace

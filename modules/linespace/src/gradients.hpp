@@ -7,7 +7,7 @@
 #ifndef OPENCV_LINESPACE_GRADIENTS_HPP
 #define OPENCV_LINESPACE_GRADIENTS_HPP
 
-#include "precomp.hpp"
+#include "orientation.hpp"
 
 namespace cv {
 namespace linespace {
@@ -22,7 +22,8 @@ struct Gradients
     //! Throws unless both are empty, or both of this size, of one of the two types, and finite.
     void check(Size size) const;
     //! The directions that pixels vote for (directionBits), tolerance in degrees.
-    Mat bits(const Mat& votes, double tolerance) const;
+    void findBits(const Mat& votes, double tolerance, EstimatedGradients& estimated,
+                  Mat& bits) const;
 };
 
 } // namespace linespace

@@ -69,6 +69,13 @@ void writeRowBits(const DirectionRule& rule, const Mat& votes, const Mat& dx, co
     }
 }
 
+//! Zeros, in the memory that the image has if that is as large.
+void clear(Size size, int type, Mat& image)
+{
+    image.create(size, type);
+    image.setTo(0);
+}
+
 } // namespace
 
 int directionBin(int dx, int dy)
@@ -115,11 +122,11 @@ ushort DirectionRule::bitsOf(int gx, int gy) const
     return bits;
 }
 
-Mat directionBits(const Mat& votes, const Mat& dx, const Mat& dy, double tolerance)
+void directionBits(const Mat& votes, const Mat& dx, const Mat& dy, double tolerance, Mat& bits)
 {
     const DirectionRule rule(tolerance);
     const bool isFloat = dx.type() == CV_32FC1;
-    Mat bits = Mat::zeros(votes.size(), CV_16UC1);
+    clear(votes.size(), CV_16UC1, bits);
     parallel_for_(Range(0, votes.rows),
                   [&](const Range& range)
                   {
@@ -129,10 +136,9 @@ Mat directionBits(const Mat& votes, const Mat& dx, const Mat& dy, double toleran
                           else
                               writeRowBits<short>(rule, votes, dx, dy, y, bits);
                   });
-    return bits;
 }
 
-void estimateGradients(const Mat& votes, Mat& dx, Mat& dy)
+void estimateGradients(const Mat& votes, EstimatedGradients& gradients)
 {
     enum
     {
@@ -140,10 +146,13 @@ void estimateGradients(const Mat& votes, Mat& dx, Mat& dy)
         MARGIN = REACH + 1
     };
     // Of a map with a margin of zeros, where everything near a pixel can be read.
-    Mat edges = Mat::zeros(votes.rows + 2 * MARGIN, votes.cols + 2 * MARGIN, CV_8UC1);
+    const Size size(votes.cols + 2 * MARGIN, votes.rows + 2 * MARGIN);
+    Mat &edges = gradients.edges, &sobelX = gradients.sobelX, &sobelY = gradients.sobelY;
+    clear(size, CV_8UC1, edges);
+    clear(size, CV_8SC1, sobelX);
+    clear(size, CV_8SC1, sobelY);
     Mat inner = edges(Rect(MARGIN, MARGIN, votes.cols, votes.rows));
     cv::min(votes, Scalar(1), inner);
-    Mat sobelX = Mat::zeros(edges.size(), CV_8SC1), sobelY = Mat::zeros(edges.size(), CV_8SC1);
     for (int y = 1; y + 1 < edges.rows; ++y)
     {
         const uchar *above = edges.ptr<uchar>(y - 1), *at = edges.ptr<uchar>(y),
@@ -157,8 +166,9 @@ void estimateGradients(const Mat& votes, Mat& dx, Mat& dy)
                 (schar)(below[l] + 2 * below[x] + below[r] - above[l] - 2 * above[x] - above[r]);
         }
     }
-    dx = Mat::zeros(votes.size(), CV_32FC1);
-    dy = Mat::zeros(votes.size(), CV_32FC1);
+    Mat &dx = gradients.dx, &dy = gradients.dy;
+    clear(votes.size(), CV_32FC1, dx);
+    clear(votes.size(), CV_32FC1, dy);
     const auto estimate = [&](int x, int y)
     {
         // The tensor as a vector at twice the angle: (xx - yy, 2 xy).

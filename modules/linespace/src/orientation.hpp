@@ -47,12 +47,19 @@ private:
 @param dx,dy of the same size, both CV_16SC1 or both CV_32FC1. Floating-point gradients are first
 scaled by the power of two that takes the larger component into [2^14, 2^15) and rounded to the
 nearest integers, of two the even one. They are finite. */
-Mat directionBits(const Mat& votes, const Mat& dx, const Mat& dy, double tolerance);
+void directionBits(const Mat& votes, const Mat& dx, const Mat& dy, double tolerance, Mat& bits);
+
+//! dx and dy, and what they are estimated by; 11 bytes per pixel that are kept for the next image.
+struct EstimatedGradients
+{
+    Mat dx, dy;
+    Mat edges, sobelX, sobelY;
+};
 
 /** Gradients of an edge map that has none of its own: the dominant direction of its structure
 tensor, as CV_32FC1 vectors whose length has no meaning; 0 where no direction dominates. The tensor
 is the sum over 7 x 7 pixels of the products of the map's 3 x 3 Sobel derivatives, in integers. */
-void estimateGradients(const Mat& votes, Mat& dx, Mat& dy);
+void estimateGradients(const Mat& votes, EstimatedGradients& gradients);
 
 } // namespace linespace
 } // namespace cv

@@ -26,6 +26,7 @@
 namespace {
 
 std::atomic<int> allocationsLeft(-1);
+std::atomic<std::size_t> largest(0);
 
 } // namespace
 
@@ -37,6 +38,9 @@ void* __libc_malloc(std::size_t size);
 __attribute__((visibility("default"))) void* malloc(std::size_t size)
 {
     const std::size_t large = 512; // messages and small objects are not what is tested
+    for (std::size_t before = largest.load();
+         size > before && !largest.compare_exchange_weak(before, size);)
+        ;
     const bool fails =
         size >= large && allocationsLeft.load() >= 0 && allocationsLeft.fetch_sub(1) == 0;
     return fails ? NULL : __libc_malloc(size);
@@ -58,6 +62,11 @@ bool canFailAllocations()
 void failAllocationAfter(int count)
 {
     allocationsLeft = count;
+}
+
+size_t largestAllocation()
+{
+    return largest.exchange(0);
 }
 
 } // namespace opencv_test

@@ -495,5 +495,45 @@ TEST(Linespace_BadParameter, setters)
     EXPECT_EQ(4, detector->getCellSize());
 }
 
+// Of video: what a detector needs for a size it has from the call before.
+TEST(Linespace_Video, later_calls_allocate_nothing_of_image_size)
+{
+    if (!canFailAllocations())
+        throw SkipTestException("no allocator that can be replaced");
+    const Size size(1600, 1200);
+    std::vector<Vec2d> drawn;
+    const Mat edges = linesInNoise(size, 30, 0.03, 5, drawn);
+    Mat dx, dy;
+    Sobel(edges, dx, CV_16S, 1, 0);
+    Sobel(edges, dy, CV_16S, 0, 1);
+    const char* const kinds[] = {"plain",   "statistical", "unpruned",  "mask",
+                                 "weights", "gradients",   "estimated", "explained"};
+    for (int kind = 0; kind < 8; ++kind)
+    {
+        SCOPED_TRACE(kinds[kind]);
+        const Ptr<LineSpaceDetector> detector = LineSpaceDetector::create(kind == 1 ? 0 : 80, 100);
+        detector->setPruning(kind != 2);
+        if (kind == 3)
+            detector->setMask(Mat(size, CV_8UC1, Scalar(1)));
+        detector->setEdgeWeights(kind == 4);
+        detector->setSelection(kind == 7 ? SELECT_EXPLAIN : SELECT_PEAKS);
+        Lines lines;
+        const auto detect = [&]()
+        {
+            if (kind == 5)
+                detector->detect(edges, dx, dy, lines);
+            else if (kind == 6)
+                detector->detect(edges, noArray(), noArray(), lines);
+            else
+                detector->detect(edges, lines);
+            return largestAllocation();
+        };
+        largestAllocation();
+        EXPECT_GE(detect(), (size_t)size.area());
+        for (int call = 0; call < 3; ++call)
+            EXPECT_LT(detect(), (size_t)size.area());
+    }
+}
+
 } // namespace
 } // namespace opencv_test
