@@ -21,6 +21,7 @@ typedef perf::TestBaseWithParam<tuple<std::string, cv::Size, double, Implementat
 typedef perf::TestBaseWithParam<tuple<std::string, cv::Size, ImplementationName>> HoughLines_Fair;
 //! Seconds each: a filter can leave them out by their name.
 typedef HoughLines_Fair HoughLines_FairLarge;
+typedef HoughLines_Photograph HoughLines_PhotographLarge;
 
 //! Runs one implementation. A fifth of the shorter side as threshold: some dozens to thousands of
 //! lines.
@@ -42,7 +43,18 @@ double fairStep(const cv::Mat& edges)
 
 PERF_TEST_P(HoughLines_Photograph, time,
             testing::Combine(testing::Values("building.jpg", "home.jpg"), LINESPACE_SIZES,
-                             testing::Values(1., 0.1), ImplementationName::all()))
+                             testing::Values(1.), ImplementationName::all()))
+{
+    const cv::Mat edges = photographEdges(get<0>(GetParam()), get<1>(GetParam()));
+    std::vector<cv::Vec2f> lines;
+    TEST_CYCLE() houghLines(get<3>(GetParam()), edges, get<2>(GetParam()) * CV_PI / 180, lines);
+    EXPECT_FALSE(lines.empty());
+    SANITY_CHECK_NOTHING();
+}
+
+PERF_TEST_P(HoughLines_PhotographLarge, fine_angles,
+            testing::Combine(testing::Values("building.jpg", "home.jpg"), LINESPACE_SIZES,
+                             testing::Values(0.1), ImplementationName::all()))
 {
     const cv::Mat edges = photographEdges(get<0>(GetParam()), get<1>(GetParam()));
     std::vector<cv::Vec2f> lines;
