@@ -131,12 +131,12 @@ def check(functions, sets, hot, hot_above):
             problems.append('not dispatched, but for AVX: %s has "%s"'
                             % (function.name, function.avx))
 
-    print('%-20s%s' % ('bits of arithmetic', ''.join('%26s' % name for name in sets)))
+    print('%-20s%s' % ('bits of arithmetic', ''.join('%28s' % name for name in sets)))
     for name, by_set in sorted(entries.items()):
         cells = ''
         for of_set in sets:
             widths = widths_of(by_set[of_set], functions) if of_set in by_set else {}
-            cells += '%26s' % (', '.join('%d: %d' % item for item in sorted(widths.items())) or '-')
+            cells += '%28s' % (', '.join('%d: %d' % item for item in sorted(widths.items())) or '-')
             is_hot = name in hot or (name in hot_above and of_set != BASELINE)
             if is_hot and max(widths, default=0) < HOT_WIDTH[of_set]:
                 problems.append('%s for %s has no arithmetic of %d bits'

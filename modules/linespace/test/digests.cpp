@@ -159,8 +159,7 @@ void writeExact(std::ostream& out, const Size& size, unsigned seed)
     std::ostringstream prefix;
     prefix << size << " exact";
     Writer writer(out, prefix.str());
-    Ptr<LineSpaceDetector> detector =
-        LineSpaceDetector::create(0, 0, METHOD_EXACT, 8, BACKEND_CPU);
+    Ptr<LineSpaceDetector> detector = LineSpaceDetector::create(0, 0, METHOD_EXACT, 8, BACKEND_CPU);
     writeTables(writer, "pixels", *detector, scene.edges);
     writeDetected(writer, "pixels", *detector, scene);
     detector->setEdgeWeights(true);
