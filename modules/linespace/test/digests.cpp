@@ -40,12 +40,14 @@ struct Scene
         Mat1b isLight(size, (uchar)0), grey(size);
         for (int i = 0; i < lineCount; ++i)
         {
-            const int normalX = rng.uniform(-1000, 1001), normalY = rng.uniform(-1000, 1001);
-            const Point through(rng.uniform(size.width / 4, 3 * size.width / 4),
-                                rng.uniform(size.height / 4, 3 * size.height / 4));
+            const int normalX = rng.uniform(-1000, 1001);
+            const int normalY = rng.uniform(-1000, 1001);
+            // One number per declaration: compilers evaluate arguments in any order.
+            const int throughX = rng.uniform(size.width / 4, 3 * size.width / 4);
+            const int throughY = rng.uniform(size.height / 4, 3 * size.height / 4);
             for (int y = 0; y < size.height; ++y)
                 for (int x = 0; x < size.width; ++x)
-                    isLight(y, x) ^= normalX * (x - through.x) + normalY * (y - through.y) > 0;
+                    isLight(y, x) ^= normalX * (x - throughX) + normalY * (y - throughY) > 0;
         }
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x)
