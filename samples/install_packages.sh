@@ -7,6 +7,7 @@
 #   install_packages.sh run       what building and running the programs takes
 #   install_packages.sh test      what the tests take on top of that
 #   install_packages.sh accuracy  what perf/accuracy.sh takes on top of run
+#   install_packages.sh aarch64   what test/aarch64/run.sh takes on top of run and test
 set -euo pipefail
 
 run=(g++ cmake ninja-build libopencv-dev nlohmann-json3-dev libcli11-dev opencv-doc)
@@ -21,6 +22,8 @@ test=(
 )
 # xz-utils: OpenCV's sources, which configuring the tests looks for.
 accuracy=(libopencv-contrib-dev python3 python3-numpy python3-scipy python3-matplotlib xz-utils)
+# On the machine itself; OpenCV for arm64 is unpacked into build/, see test/aarch64/make_sysroot.sh.
+aarch64=(g++-aarch64-linux-gnu qemu-user)
 
 wanted=()
 for group in "$@"; do
@@ -28,8 +31,9 @@ for group in "$@"; do
     run) wanted+=("${run[@]}") ;;
     test) wanted+=("${test[@]}") ;;
     accuracy) wanted+=("${accuracy[@]}") ;;
+    aarch64) wanted+=("${aarch64[@]}") ;;
     *)
-        echo "install_packages.sh: unknown group '$group'; known are run, test and accuracy" >&2
+        echo "install_packages.sh: unknown group '$group'; known are run, test, accuracy and aarch64" >&2
         exit 2
         ;;
     esac

@@ -4,7 +4,7 @@
 
 # Compiles src/NAME.simd.hpp once per instruction set, as ocv_add_dispatched_file does inside
 # OpenCV. src/NAME.dispatch.cpp includes NAME.simd_declarations.hpp, generated here, and chooses at
-# run time by CV_CPU_DISPATCH; OPENCV_CPU_DISABLE=AVX512_SKX,AVX2 in the environment steps down.
+# run time by CV_CPU_DISPATCH; OPENCV_CPU_DISABLE=AVX512-SKX,AVX2 in the environment steps down.
 
 # What OpenCV's flag of the same name stands for, and the smaller sets it implies.
 set(linespace_AVX2_flags -mavx2 -mfma -mf16c -mpopcnt)
@@ -56,4 +56,5 @@ function(linespace_add_dispatched_file target name)
   file(CONFIGURE OUTPUT "${generated_dir}/${name}.simd_declarations.hpp"
        CONTENT "${declarations}")
   target_include_directories(${target} PRIVATE "${generated_dir}")
+  set_property(TARGET ${target} PROPERTY linespace_dispatch_sets ${linespace_dispatch_sets})
 endfunction()

@@ -465,6 +465,14 @@ TEST(Linespace_HoughLines_Arrays, sizes_and_densities)
 // It throws where cv::HoughLines throws and nowhere else: whatever version of OpenCV this is built
 // with is asked.
 
+//! On x86 a number that no int holds becomes INT_MIN, and cv::HoughLines refuses the negative size
+//! that follows. Elsewhere (ARM: INT_MAX or 0) it may go on with whatever comes out of it.
+bool conversionsOverflowToIntMin()
+{
+    volatile double large = 1e30, notANumber = std::numeric_limits<double>::quiet_NaN();
+    return cvRound(large) == INT_MIN && cvRound(notANumber) == INT_MIN;
+}
+
 template<typename Output>
 bool bothThrow(const std::string& what, InputArray image, const Output& output, double rho,
                double theta, int threshold = 5, double minTheta = 0, double maxTheta = CV_PI)
@@ -484,7 +492,10 @@ bool bothThrow(const std::string& what, InputArray image, const Output& output, 
             cv::linespace::HoughLines(image, ours, rho, theta, threshold, 0, 0, minTheta, maxTheta);
         },
         std::vector<std::string>());
-    EXPECT_EQ(theyThrow ? "" : "no exception", wrong) << what;
+    if (theyThrow || conversionsOverflowToIntMin() || !wrong.empty())
+    {
+        EXPECT_EQ(theyThrow ? "" : "no exception", wrong) << what;
+    }
     EXPECT_TRUE(!theyThrow || output == ours) << what << ": the output was touched";
     return theyThrow;
 }
