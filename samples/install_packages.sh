@@ -7,6 +7,7 @@
 #   install_packages.sh run       what building and running the programs takes
 #   install_packages.sh test      what the tests take on top of that
 #   install_packages.sh accuracy  what perf/accuracy.sh takes on top of run
+#   install_packages.sh benchmark what perf/run.sh takes on top of run
 set -euo pipefail
 
 run=(g++ cmake ninja-build libopencv-dev nlohmann-json3-dev libcli11-dev opencv-doc)
@@ -21,6 +22,11 @@ test=(
 )
 # xz-utils: OpenCV's sources, which configuring the tests looks for.
 accuracy=(libopencv-contrib-dev python3 python3-numpy python3-scipy python3-matplotlib xz-utils)
+# pocl: the device of OpenCV's own OpenCL; venv: a newer OpenCV is installed into one.
+benchmark=(
+    libopencv-contrib-dev python3 python3-matplotlib python3-numpy python3-pandas python3-venv
+    pocl-opencl-icd ocl-icd-libopencl1 xz-utils
+)
 
 wanted=()
 for group in "$@"; do
@@ -28,8 +34,9 @@ for group in "$@"; do
     run) wanted+=("${run[@]}") ;;
     test) wanted+=("${test[@]}") ;;
     accuracy) wanted+=("${accuracy[@]}") ;;
+    benchmark) wanted+=("${benchmark[@]}") ;;
     *)
-        echo "install_packages.sh: unknown group '$group'; known are run, test and accuracy" >&2
+        echo "install_packages.sh: unknown group '$group'; known are run, test, accuracy and benchmark" >&2
         exit 2
         ;;
     esac

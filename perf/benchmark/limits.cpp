@@ -43,22 +43,24 @@ LINESPACE_INLINE void move(Motion motion, std::uint8_t* to, const std::uint8_t* 
     const std::size_t count = size / bytes;
     if (motion == Motion::READ)
     {
-        Vector sums[4] = {};
-        for (std::size_t i = 0; i < count; i += 4)
-            for (int j = 0; j < 4; ++j)
+        Vector sums[8] = {};
+        for (std::size_t i = 0; i < count; i += 8)
+            for (int j = 0; j < 8; ++j)
                 sums[j] += first[i + j];
-        result[0] = sums[0] + sums[1] + sums[2] + sums[3];
+        for (int j = 1; j < 8; ++j)
+            sums[0] += sums[j];
+        result[0] = sums[0];
     }
     else if (motion == Motion::COPY)
-        for (std::size_t i = 0; i < count; i += 4)
+        for (std::size_t i = 0; i < count; i += 8)
         {
-            for (int j = 0; j < 4; ++j)
+            for (int j = 0; j < 8; ++j)
                 result[i + j] = first[i + j];
             asm volatile("" ::: "memory"); // or the compiler calls memcpy, which bypasses caches
         }
     else
-        for (std::size_t i = 0; i < count; i += 4)
-            for (int j = 0; j < 4; ++j)
+        for (std::size_t i = 0; i < count; i += 8)
+            for (int j = 0; j < 8; ++j)
                 result[i + j] = first[i + j] + second[i + j];
 }
 

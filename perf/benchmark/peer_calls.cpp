@@ -51,14 +51,16 @@ Call openClHoughLines(const Input& input, const std::string& step)
     const double theta = angleStep(step, input.edges.size());
     cv::UMat edges;
     input.edges.copyTo(edges);
-    return peer("OpenCL HoughLines " + step,
-                [=]
-                {
-                    cv::UMat lines;
-                    cv::HoughLines(edges, lines, 1, theta, input.threshold);
-                    cv::ocl::finish();
-                    return (int)lines.total();
-                });
+    const Call call = peer("OpenCL HoughLines " + step,
+                           [=]
+                           {
+                               cv::UMat lines;
+                               cv::HoughLines(edges, lines, 1, theta, input.threshold);
+                               cv::ocl::finish();
+                               return (int)lines.total();
+                           });
+    call.run(); // compiles its kernels, which must not count
+    return call;
 }
 
 Call houghLinesP(const Input& input)

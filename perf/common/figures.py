@@ -22,8 +22,11 @@ def save(figure, folder, name, dpi=110):
     plt.close(figure)
 
 
-def legend_below(figure, panel, columns=3):
-    """One legend for all panels, below them."""
-    handles, labels = panel.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncol=columns,
-                  frameon=False)
+def legend_below(figure, *panels, columns=3):
+    """One legend below all panels, of what the given ones show."""
+    handles = {}
+    for panel in panels:
+        for handle, label in zip(*panel.get_legend_handles_labels()):
+            handles.setdefault(label, handle)
+    figure.legend(handles.values(), handles.keys(), loc="upper center", bbox_to_anchor=(0.5, 0.0),
+                  ncol=columns, frameon=False)
