@@ -56,7 +56,7 @@ def _curve(panel, method, x, rows, text):
 
 
 def photographs(times, folder):
-    """Every method at each size: a dot for each photograph, a bar to their median."""
+    """Every method at each size: a dot for each photograph, a larger one for their median."""
     methods = [method for method in STYLE if method in set(times["method"])]
     sizes = list(times.groupby(["width", "height"], sort=False).groups)
     figure, panels = plt.subplots(1, len(sizes), figsize=(4.2 * len(sizes) + 2, 5), sharey=True,
@@ -67,19 +67,19 @@ def photographs(times, folder):
             values = here[here["method"] == method]["median"]
             if values.empty:
                 continue
-            middle = values.median()
-            panel.barh(row, middle, color=STYLE[method][0], height=0.65,
-                       alpha=0.9 if method.startswith("Line Space") else 0.5)
-            panel.plot(values, [row] * len(values), ".", color="black", markersize=4)
-            panel.annotate(f"{middle:.3g}", (values.max(), row), xytext=(5, 0), fontsize=8,
-                           textcoords="offset points", verticalalignment="center")
+            middle, ours = values.median(), method.startswith(("Line Space", "drop-in"))
+            panel.plot([values.min(), values.max()], [row, row], color=STYLE[method][0])
+            panel.plot(middle, row, "o", color=STYLE[method][0], markersize=9 if ours else 7)
+            panel.plot(values, [row] * len(values), ".", color="black", markersize=3)
+            panel.annotate(f"{middle:.3g}", (values.max(), row), xytext=(8, 0), fontsize=8,
+                           textcoords="offset points", verticalalignment="center",
+                           fontweight="bold" if ours else "normal")
         panel.set(xscale="log", title=f"{width} x {height}", xlabel="milliseconds")
         panel.set_xlim(right=4 * here[here["method"].isin(methods)]["median"].max())
         _milliseconds(panel.xaxis)
-        panel.grid(axis="y", visible=False)
     panels[0][0].set_yticks(range(len(methods)), [label(method) for method in methods])
     panels[0][0].invert_yaxis()
-    figure.suptitle("Time of a call on photographs: median, and each photograph as a dot")
+    figure.suptitle("Time of a call: each photograph, and their median in colour")
     save(figure, folder, "photographs")
 
 
@@ -170,21 +170,22 @@ def roofline(tables, folder):
                                   figsize=(4.4 * len(tables), 5.2))
     for panel, (title, table) in zip(panels[0], tables.items()):
         rows = np.arange(len(table))
-        panel.barh(rows, table["milliseconds"], 0.7, color="#56b4e9", label="measured")
         if "least" in table:
-            panel.barh(rows, table["least"], 0.35, color="#0072b2",
-                       label="least by this machine's limits")
+            panel.hlines(rows, table["least"], table["milliseconds"], color="#bbbbbb", linewidth=3,
+                         zorder=1)
+            panel.plot(table["least"], rows, "|", color="#d55e00", markersize=14,
+                       markeredgewidth=2.5, label="least by this machine's limits")
             for row, fraction in zip(rows, table["fraction"]):
                 if not np.isnan(fraction):
-                    panel.annotate(f"{100 * fraction:.0f} %", fontsize=8, xytext=(4, 0),
+                    panel.annotate(f"{100 * fraction:.0f} %", fontsize=8, xytext=(8, 0),
                                    xy=(table["milliseconds"][row], row),
                                    textcoords="offset points", verticalalignment="center")
+        panel.plot(table["milliseconds"], rows, "o", color="#0072b2", label="measured")
         panel.set_yticks(rows, table["stage"])
         panel.set(title=title, xlabel="milliseconds", xscale="log")
-        panel.set_xlim(right=2.5 * table["milliseconds"].max())
+        panel.set_xlim(right=4 * table["milliseconds"].max())
         _milliseconds(panel.xaxis)
         panel.invert_yaxis()
-        panel.grid(axis="y", visible=False)
     legend_below(figure, panels[0][0], columns=2)
     figure.suptitle("Stages without pruning, and the fraction of the limit that they reach")
     save(figure, folder, "roofline")

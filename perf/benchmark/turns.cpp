@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iostream>
 
 namespace benchmark {
 
@@ -53,6 +54,8 @@ void timeInTurn(const std::string& section, const Input& input, const std::vecto
                          call.isa.empty() ? instructionSet() : call.isa},
                         call.method, turn, outcome);
     };
+    std::cerr << "  " << input.name << ", " << input.edges.cols << " x " << input.edges.rows
+              << "\n";
     std::vector<int> turns;
     for (const Call& call : calls)
     {
