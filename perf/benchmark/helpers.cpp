@@ -110,7 +110,7 @@ Call helperDetection(const std::shared_ptr<ChildProcess>& helper, const Settings
 
 void serve()
 {
-    std::map<std::string, Call> calls;
+    std::map<std::string, std::vector<Call>> calls; // by file and threshold
     for (std::string question; std::getline(std::cin, question);)
     {
         std::istringstream fields(question);
@@ -125,12 +125,14 @@ void serve()
         std::getline(fields, file, '\t');
         fields >> threshold >> kind >> threads;
         cv::setNumThreads(threads);
-        if (!calls.count(question))
+        std::vector<Call>& both = calls[file + "\t" + std::to_string(threshold)];
+        if (both.empty())
         {
             const cv::Mat1b edges = cv::imread(file, cv::IMREAD_GRAYSCALE);
-            calls[question] = detection({file, cv::Mat1b(), edges, threshold}, (Kind)kind);
+            both =
+                detections({file, cv::Mat1b(), edges, threshold}, {Kind::DETECT, Kind::UNPRUNED});
         }
-        std::cout << textOf(calls[question].run()) << std::endl;
+        std::cout << textOf(both.at(kind).run()) << std::endl;
     }
 }
 

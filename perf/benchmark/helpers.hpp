@@ -26,9 +26,10 @@ Call helperDetection(const std::shared_ptr<ChildProcess>& helper, const Settings
                      const InstructionSet& set, const Input& input, Kind kind);
 
 /** The other side: answers on standard output the questions on standard input, until it ends.
-    isa                                        name of the instruction set
-    detect FILE THRESHOLD KIND THREADS         milliseconds, lines, valid, then name and milliseconds of
-                                               each stage; separated by tabs */
+    isa                                  name of the instruction set
+    detect FILE THRESHOLD KIND THREADS   milliseconds, lines, valid, then name and milliseconds of each
+                                         stage; KIND is a number, that of DETECT or UNPRUNED
+Fields are separated by tabs. */
 void serve();
 
 } // namespace benchmark

@@ -115,7 +115,7 @@ void run(const Settings& settings, const std::vector<std::string>& only)
 int main(int argc, char** argv)
 {
     Settings settings{"", "",   "", std::filesystem::read_symlink("/proc/self/exe"),
-                      11, 3000, 0,  false};
+                      11, 2000, 0,  false};
     std::vector<std::string> only;
     bool isServer = false;
     CLI::App app("Times the Line Space beside other methods and writes CSV files.");
