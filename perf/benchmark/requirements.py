@@ -34,9 +34,10 @@ def all_rows(run):
     rows += _drop_in(times)
     rows.append(_threads(run.section("threads")))
     rows += _memory(run.memory)
+    ours = run.calls["method"].str.startswith(("Line Space", "drop-in")).sum()
     invalid = len(run.invalid)
-    rows.append(Row("lines of every timed call are BACKEND_REFERENCE's", "all",
-                    f"{len(run.calls) - invalid} of {len(run.calls)} calls", invalid == 0))
+    rows.append(Row("lines of every timed call of ours are BACKEND_REFERENCE's", "all",
+                    f"{ours - invalid} of {ours} calls", invalid == 0))
     return rows
 
 

@@ -104,7 +104,7 @@ class Requirements(unittest.TestCase):
         self.assertFalse(row_of(run, "peak memory of detect, 1920").holds)
 
     def test_a_call_with_other_lines_breaks_the_last_requirement(self):
-        wrong = calls("photographs", {"Line Space": [10, 10]})
+        wrong = calls("photographs", {"Line Space": [10, 10], "LSD": [1]})
         wrong.loc[0, "valid"] = 0
         row = row_of(run_of(wrong), "BACKEND_REFERENCE")
         self.assertEqual((row.measured, row.holds), ("1 of 2 calls", False))
