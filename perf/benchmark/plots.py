@@ -10,6 +10,7 @@ import numpy as np
 
 import measurements
 from figures import legend_below, save
+from tables import milliseconds
 
 # Colours that colour-blind readers can tell apart (Okabe and Ito); ours are drawn thicker.
 STYLE = {
@@ -71,7 +72,7 @@ def photographs(times, folder):
             panel.plot([values.min(), values.max()], [row, row], color=STYLE[method][0])
             panel.plot(middle, row, "o", color=STYLE[method][0], markersize=9 if ours else 7)
             panel.plot(values, [row] * len(values), ".", color="black", markersize=3)
-            panel.annotate(f"{middle:.3g}", (values.max(), row), xytext=(8, 0), fontsize=8,
+            panel.annotate(milliseconds(middle), (values.max(), row), xytext=(8, 0), fontsize=8,
                            textcoords="offset points", verticalalignment="center",
                            fontweight="bold" if ours else "normal")
         panel.set(xscale="log", title=f"{width} x {height}", xlabel="milliseconds")
@@ -142,11 +143,11 @@ def _grouped_bars(times, by, values, folder, name, title):
             rows = np.arange(len(methods)) + (i - (len(values) - 1) / 2) * 0.8 / len(values)
             drawn = panel.barh(rows, bars, 0.8 / len(values), color=colours[i % len(colours)],
                                label=value if by == "isa" else f"{value} thread" + "s" * (value > 1))
-            panel.bar_label(drawn, [f"{bar:.3g}" for bar in bars], padding=3, fontsize=8)
+            panel.bar_label(drawn, [milliseconds(bar) for bar in bars], padding=3, fontsize=8)
         panel.set(title=f"{width} x {height}", xlabel="milliseconds")
         panel.set_yticks(range(len(methods)),
                          [label(method) for method in methods] if panel is panels[0][0] else [])
-        panel.margins(x=0.2)
+        panel.margins(x=0.25)
         panel.invert_yaxis()
         panel.grid(axis="y", visible=False)
     legend_below(figure, panels[0][0], columns=len(values))

@@ -9,16 +9,9 @@ import math
 import measurements
 import plots
 import requirements
-from tables import Table, number
+from tables import Table, milliseconds, number
 
 VOTES = ("edge map", "level ")
-
-
-def milliseconds(value):
-    """Three digits, as times differ by a factor of ten thousand."""
-    if value is None or math.isnan(value):
-        return "-"
-    return number(value, 0 if value >= 99.95 else 1 if value >= 9.995 else 2)
 
 
 def spread(row):

@@ -16,7 +16,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "common"))
 import measurements  # noqa: E402
 import requirements  # noqa: E402
-import sections  # noqa: E402
+import tables  # noqa: E402
 
 
 def calls(section, values, image="a.jpg", size=(512, 512), threads=2, pixels=100, lines=3):
@@ -63,7 +63,7 @@ class Summary(unittest.TestCase):
         self.assertTrue(math.isnan(measurements.slope([64, 256], [1, 2])))
 
     def test_digits(self):
-        self.assertEqual([sections.milliseconds(value) for value in (0.123, 12.34, 1234.5, math.nan)],
+        self.assertEqual([tables.milliseconds(value) for value in (0.123, 12.34, 1234.5, math.nan)],
                          ["0.12", "12.3", "1234", "-"])
 
 
