@@ -2,9 +2,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-"""Reads what linespace_benchmark wrote and sums it up: medians and quartiles of the calls of a method
-on an input, ratios between methods, slopes over the image size, and what fraction of the machine's
-limits a stage reaches."""
+"""Reads what linespace_benchmark wrote and sums it up: medians and quartiles of the calls of a
+method on an input, ratios between methods, slopes over the image size, and what fraction of the
+machine's limits a stage reaches."""
 
 import json
 import pathlib

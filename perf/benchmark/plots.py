@@ -142,7 +142,7 @@ def _grouped_bars(times, by, values, folder, name, title):
                     for method in methods]
             rows = np.arange(len(methods)) + (i - (len(values) - 1) / 2) * 0.8 / len(values)
             drawn = panel.barh(rows, bars, 0.8 / len(values), color=colours[i % len(colours)],
-                               label=value if by == "isa" else f"{value} thread" + "s" * (value > 1))
+                               label=value if by == "isa" else f"threads: {value}")
             panel.bar_label(drawn, [milliseconds(bar) for bar in bars], padding=3, fontsize=8)
         panel.set(title=f"{width} x {height}", xlabel="milliseconds")
         panel.set_yticks(range(len(methods)),

@@ -26,7 +26,8 @@ class Row:
 
 def all_rows(run):
     times = run.section("photographs")
-    rows = _beside(times, "HoughLines 1 deg", "cv::HoughLines(1, 1°)", (5, 4, 4), never_slower=True)
+    rows = _beside(times, "HoughLines 1 deg", "cv::HoughLines(1, 1°)", (5, 4, 4),
+                   never_slower=True)
     rows += _beside(times, "HoughLines 1/(2n)", "cv::HoughLines(1, 1/(2n))", (100, 200, 200))
     rows += _beside(times, "FastHoughTransform", "FastHoughTransform", (4, 3, 3))
     rows += _beside(times, "FastHoughTransform", "FastHoughTransform", (2, 2), ours=UNPRUNED)
