@@ -8,6 +8,7 @@
 #   install_packages.sh test      what the tests take on top of that
 #   install_packages.sh accuracy  what perf/accuracy.sh takes on top of run
 #   install_packages.sh aarch64   what test/aarch64/run.sh takes on top of run and test
+#   install_packages.sh benchmark what perf/run.sh takes on top of run
 set -euo pipefail
 
 run=(g++ cmake ninja-build libopencv-dev nlohmann-json3-dev libcli11-dev opencv-doc)
@@ -24,6 +25,11 @@ test=(
 accuracy=(libopencv-contrib-dev python3 python3-numpy python3-scipy python3-matplotlib xz-utils)
 # On the machine itself; OpenCV for arm64 is unpacked into build/, see test/aarch64/make_sysroot.sh.
 aarch64=(g++-aarch64-linux-gnu qemu-user)
+# pocl: the device of OpenCV's own OpenCL; venv: a newer OpenCV is installed into one.
+benchmark=(
+    libopencv-contrib-dev python3 python3-matplotlib python3-numpy python3-pandas python3-venv
+    pocl-opencl-icd ocl-icd-libopencl1 xz-utils
+)
 
 wanted=()
 for group in "$@"; do
@@ -32,8 +38,10 @@ for group in "$@"; do
     test) wanted+=("${test[@]}") ;;
     accuracy) wanted+=("${accuracy[@]}") ;;
     aarch64) wanted+=("${aarch64[@]}") ;;
+    benchmark) wanted+=("${benchmark[@]}") ;;
     *)
-        echo "install_packages.sh: unknown group '$group'; known are run, test, accuracy and aarch64" >&2
+        echo "install_packages.sh: unknown group '$group'; known are run, test, accuracy, aarch64 and" \
+            "benchmark" >&2
         exit 2
         ;;
     esac

@@ -8,7 +8,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-samples/install_packages.sh run test accuracy
+samples/install_packages.sh run test accuracy benchmark
 test/fetch_opencv_source.sh
 
 # PoCL and Mesa are installed now: a test that finds no device must not pass as skipped.

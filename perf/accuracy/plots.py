@@ -4,15 +4,13 @@
 
 """The plots of the report, each as PNG and SVG, the same bytes on every run."""
 
-import matplotlib
+import matplotlib.pyplot as plt
+import matplotlib.ticker
+import numpy as np
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-import matplotlib.ticker  # noqa: E402
-import numpy as np  # noqa: E402
-
-import metrics  # noqa: E402
-import synthetic  # noqa: E402
+import metrics
+import synthetic
+from figures import legend_below, save
 
 # Colours that colour-blind readers can tell apart (Okabe and Ito); ours are drawn thicker.
 STYLE = {
@@ -33,17 +31,6 @@ STYLE = {
 }
 FOUND, FALSE, MISSED = "#0072b2", "#e69f00", "#d55e00"
 
-plt.rcParams.update({"svg.hashsalt": "linespace", "font.size": 10, "axes.grid": True,
-                     "grid.alpha": 0.3, "figure.facecolor": "white"})
-
-
-def save(figure, folder, name, dpi=110):
-    figure.savefig(folder / f"{name}.png", dpi=dpi, bbox_inches="tight",
-                   metadata={"Software": None})
-    figure.savefig(folder / f"{name}.svg", bbox_inches="tight",
-                   metadata={"Date": None, "Creator": None})
-    plt.close(figure)
-
 
 def recall_over_lines(curves, folder):
     """curves: {title: {detector: [(number of lines, recall)]}}, a panel each."""
@@ -56,7 +43,7 @@ def recall_over_lines(curves, folder):
             _draw(panel, detector, *zip(*points))
         panel.set(title=title, xlabel="strongest lines per image", ylim=(0, 1.03))
     panels[0][0].set_ylabel("recall")
-    _legend_below(figure, panels[0][0])
+    legend_below(figure, panels[0][0])
     save(figure, folder, "recall-over-lines")
 
 
@@ -77,7 +64,7 @@ def error_over_noise(every, folder):
         panel.yaxis.set_major_locator(matplotlib.ticker.LogLocator(subs=(1, 2, 5)))
         panel.yaxis.set_major_formatter(matplotlib.ticker.StrMethodFormatter("{x:g}"))
         panel.yaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
-    _legend_below(figure, panels[0])
+    legend_below(figure, panels[0])
     save(figure, folder, "error-over-noise")
 
 
@@ -105,7 +92,7 @@ def false_lines(every, kinds, folder):
     highest = max(max(values) for values in every.values())
     panel.set(xticks=range(len(kinds)), xticklabels=kinds, ylim=(0, 2 * max(highest, 2)),
               ylabel="false lines in ten images", title="Images without any line, 512 x 512")
-    _legend_below(figure, panel)
+    legend_below(figure, panel)
     save(figure, folder, "false-lines")
 
 
@@ -164,9 +151,3 @@ def _draw(panel, detector, x, y, marker=None):
     ours = detector.startswith("Line Space")
     panel.plot(x, y, color=colour, linestyle=line, linewidth=2.2 if ours else 1.3, marker=marker,
                markersize=4, label=detector, zorder=3 if ours else 2)
-
-
-def _legend_below(figure, panel):
-    handles, labels = panel.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncol=3,
-                  frameon=False)

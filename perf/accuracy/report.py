@@ -14,12 +14,13 @@ import sys
 import matplotlib.image
 import numpy as np
 
-import geometry
-import metrics
-import photographs
-import plots
-import results
-import synthetic
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "common"))
+import geometry  # noqa: E402
+import metrics  # noqa: E402
+import photographs  # noqa: E402
+import plots  # noqa: E402
+import results  # noqa: E402
+import synthetic  # noqa: E402
 
 INTRODUCTION = """# Accuracy
 

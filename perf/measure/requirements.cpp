@@ -3,8 +3,8 @@
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
 #include "sections.hpp"
-#include "stopwatch.hpp"
 
+#include "common/stopwatch.hpp"
 #include "support/edge_maps.hpp"
 
 #include "opencv2/imgproc.hpp"

@@ -5,8 +5,8 @@
 // What the way from votes to lines costs: candidates, exact votes, selection, refinement.
 
 #include "sections.hpp"
-#include "stopwatch.hpp"
 
+#include "common/stopwatch.hpp"
 #include "support/edge_maps.hpp"
 
 #include "opencv2/imgproc.hpp"

@@ -60,9 +60,10 @@ std::string commit()
     const std::string hash = firstLineOf(git + "rev-parse --short HEAD 2>/dev/null");
     if (hash.empty())
         return "unknown commit";
-    // Tables are written into doc/, so that changes there say nothing about the program.
+    // Tables are written into doc/ and perf/results/, so that changes there say nothing about the
+    // program.
     const std::string changed =
-        firstLineOf(git + "status --porcelain -- modules perf test 2>/dev/null");
+        firstLineOf(git + "status --porcelain -- modules perf test ':!perf/results' 2>/dev/null");
     return "commit " + hash + (changed.empty() ? "" : " with changes");
 }
 

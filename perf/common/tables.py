@@ -34,3 +34,10 @@ class Table:
 def number(value, digits):
     """A number with so many digits after the point; a dash for none."""
     return "-" if value is None or math.isnan(value) else f"{value:.{digits}f}"
+
+
+def milliseconds(value):
+    """Three digits, as times differ by a factor of ten thousand."""
+    if value is None or math.isnan(value):
+        return "-"
+    return number(value, 0 if value >= 99.95 else 1 if value >= 9.995 else 2)

@@ -1,0 +1,35 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// What the stages of the cascade have to do, from the plan of an image size: bytes and adds, to be
+// set beside the machine's limits. The votes of all levels, as with setPruning(false).
+
+#ifndef LINESPACE_BENCHMARK_STAGE_WORK_HPP
+#define LINESPACE_BENCHMARK_STAGE_WORK_HPP
+
+#include <string>
+#include <vector>
+
+#include "opencv2/core.hpp"
+
+namespace benchmark {
+
+struct StageWork
+{
+    std::string stage; //!< its name, as of LineSpaceDetector::getStageTimes
+    /** Bytes that cannot be avoided: what the stage before left is read once, what the next one
+    needs is written once. */
+    double bytesRead, bytesWritten;
+    //! Bytes that instructions load and store: a merge reads what it has read already.
+    double bytesLoaded, bytesStored;
+    double adds;      //!< of votes
+    int bytesPerVote; //!< of an add
+};
+
+//! In the order of the stages; those whose work depends on the image are missing.
+std::vector<StageWork> stageWork(cv::Size image, int cellSize);
+
+} // namespace benchmark
+
+#endif // LINESPACE_BENCHMARK_STAGE_WORK_HPP

@@ -1,0 +1,88 @@
+#!/bin/bash
+# This file is part of the Line Space module for OpenCV.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+# Times the Line Space beside every other method in one run: installs what is missing (Debian 12 or
+# 13), builds, runs, and writes perf/results/: results.md, tables and single times (CSV), plots (PNG, SVG).
+#   perf/run.sh [--quick] [--only SECTION]... [--data FOLDER]
+# --quick  small images, half a minute, into build/benchmark-quick/: shows that it works; times mean
+#          nothing
+# --only   only this section, into build/benchmark-only/: photographs, paper, sizes, densities, threads,
+#          instruction-sets, stages or memory
+# --data   folder of OpenCV's sample photographs, default that of OpenCV's sources
+# LINESPACE_NEWER_OPENCV_PYTHON names a Python with a newer cv2, which takes part; without it the
+# newest opencv-python-headless is installed into build/newer-opencv/, or left out where that fails.
+# OPENCV_OPENCL_DEVICE chooses the device of the OpenCL column; by default PoCL's, a processor.
+set -euo pipefail
+
+quick=
+only=()
+data=
+command=perf/run.sh
+while (($#)); do
+    case $1 in
+    --quick)
+        quick=--quick
+        command+=" --quick"
+        shift
+        ;;
+    --only)
+        only+=(--only "${2:?--only needs a section}")
+        command+=" --only $2"
+        shift 2
+        ;;
+    --data)
+        data=$(realpath -- "${2:?--data needs a folder}")
+        command+=" --data FOLDER"
+        shift 2
+        ;;
+    *)
+        echo "usage: run.sh [--quick] [--only SECTION]... [--data FOLDER]" >&2
+        exit 2
+        ;;
+    esac
+done
+cd "$(dirname "$0")/.."
+
+samples/install_packages.sh run benchmark
+test/fetch_opencv_source.sh # the photographs, and OpenCV's own test harness, which is configured too
+cmake --preset release
+cmake --build --preset release --target linespace_benchmark
+
+# A Python whose cv2 is newer than the OpenCV that everything else uses; nothing where there is none.
+newer_python() {
+    local folder=build/newer-opencv
+    if [[ -n ${LINESPACE_NEWER_OPENCV_PYTHON:-} ]]; then
+        echo "$LINESPACE_NEWER_OPENCV_PYTHON"
+        return
+    fi
+    if [[ ! -e $folder/ready && -z $quick ]]; then
+        rm -rf "$folder"
+        {
+            /usr/bin/python3 -m venv "$folder" &&
+                "$folder/bin/pip" install --quiet --disable-pip-version-check \
+                    opencv-python-headless && touch "$folder/ready"
+        } >&2 || echo "Left out: a newer OpenCV (opencv-python-headless cannot be installed)" >&2
+    fi
+    if [[ -e $folder/ready ]]; then
+        echo "$folder/bin/python"
+    fi
+}
+newer=$(newer_python)
+
+results=perf/results
+if [[ -n $quick ]]; then
+    results=build/benchmark-quick
+elif ((${#only[@]})); then
+    results=build/benchmark-only # a part must not replace the whole
+fi
+rm -rf "$results"
+export OPENCV_OPENCL_DEVICE=${OPENCV_OPENCL_DEVICE-:CPU:}
+status=0
+build/release/bin/linespace_benchmark --data "${data:-build/opencv-source/samples/data}" \
+    --output "$results" ${quick:+"$quick"} "${only[@]}" ${newer:+--newer-python "$newer"} || status=$?
+# Where lines differ from the reference's, the report says which; the status is 1 all the same.
+/usr/bin/python3 -B perf/benchmark/report.py --results "$results" --command "$command" || status=$?
+echo "See $results/results.md."
+exit "$status"
