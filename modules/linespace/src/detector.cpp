@@ -265,7 +265,8 @@ private:
         const int copies = 1 + (parameters_.selection == SELECT_EXPLAIN) + recounts;
         return copies * EdgePlanes::memory(plan.frame(), parameters_.edgeWeights, oriented) +
                (ascentRadius() > 0
-                    ? ascentMemory(plan.frame(), parameters_.maxLines > 0 ? poolSize() : 0)
+                    ? ascentMemory(plan.frame(), !oriented && !parameters_.edgeWeights,
+                                   parameters_.maxLines > 0 ? poolSize() : 0)
                     : 0);
     }
 
@@ -533,9 +534,8 @@ private:
     {
         if (ascentRadius() > 0)
         {
-            const ChordCounter counter(planes_);
-            squares_.reset(plan.frame());
-            climbToMaxima(counter, plan.frame(), ascentRadius(), squares_, candidates);
+            squares_.reset(planes_);
+            climbToMaxima(plan.frame(), ascentRadius(), squares_, candidates);
             return;
         }
         std::vector<Chord> chords(candidates.size());

@@ -4,17 +4,29 @@
 
 #include "vote_squares.hpp"
 
+#include "vectors.hpp"
+
 namespace cv {
 namespace linespace {
 
 namespace {
 
 const int SQUARE = VoteSquares::SQUARE;
+const int PARALLEL = EdgePieces::PARALLEL;
+// Opposite sides are worth their pieces from so many squares on; these take what some tens take.
+const size_t LEAST_SQUARES = 64;
+static_assert(PARALLEL % SQUARE == 0, "a strip is of whole runs");
 static_assert(SQUARE == 8, "a square's chords are the bits of 64");
 
 Cell runsOf(const Cell& frame)
 {
     return Cell((frame.width + SQUARE - 1) / SQUARE, (frame.height + SQUARE - 1) / SQUARE);
+}
+
+//! Words with a bit for each strip of a family, of a side's length at most.
+size_t wordsOf(int length)
+{
+    return ((size_t)length + 64 * PARALLEL - 1) / (64 * PARALLEL);
 }
 
 //! The rows, or columns, of a square from one to another.
@@ -27,6 +39,22 @@ inline uint64 columnsFrom(int first, int last)
     return (uint64)(0xff << first & 0xff >> (SQUARE - 1 - last)) * 0x0101010101010101;
 }
 
+const int DIAGONALS = 2 * SQUARE - 1;
+
+//! The chords (i, k - i) of a square, which are parallel between opposite sides.
+inline uint64 diagonal(int k)
+{
+    // The longest one, shifted by as many columns, without what leaves the square.
+    const uint64 longest = 0x0102040810204080;
+    return k < SQUARE ? longest >> SQUARE * (SQUARE - 1 - k) : longest << SQUARE * (k - SQUARE + 1);
+}
+
+inline int lowestBit(uint64 bits)
+{
+    const unsigned low = (unsigned)bits;
+    return (int)(low != 0 ? trailingZeros32(low) : 32 + trailingZeros32((unsigned)(bits >> 32)));
+}
+
 //! The part of positions first to last that is in the k-th run.
 inline void clipToRun(int k, int& first, int& last)
 {
@@ -36,9 +64,15 @@ inline void clipToRun(int k, int& first, int& last)
 
 } // namespace
 
-double VoteSquares::memory(const Cell& frame)
+double VoteSquares::memory(const Cell& frame, bool hasPieces)
 {
-    return (double)runsOf(frame).chordCount() * sizeof(int);
+    double bytes = (double)runsOf(frame).chordCount() * sizeof(int);
+    if (hasPieces)
+        for (int pair = 0; pair < 2; ++pair)
+            bytes += EdgePieces::memory(frame, pair == 0) +
+                     (2. * frame.pointCount(pair) - 1) * wordsOf(frame.pointCount(pair)) *
+                         sizeof(uint64);
+    return bytes;
 }
 
 double VoteSquares::squareMemory(const Cell& frame, double squares)
@@ -53,15 +87,37 @@ void VoteSquares::clear()
     std::vector<int>().swap(slots_);
     std::vector<Square>().swap(squares_);
     std::vector<int>().swap(wanted_);
+    std::vector<int>().swap(alone_);
+    for (int i = 0; i < 2; ++i)
+    {
+        pairs_[i].pieces.clear();
+        std::vector<uint64>().swap(pairs_[i].strips);
+    }
 }
 
-void VoteSquares::reset(const Cell& frame)
+void VoteSquares::reset(const EdgePlanes& planes)
 {
-    frame_ = frame;
-    runs_ = runsOf(frame);
+    planes_ = &planes;
+    frame_ = planes.frame();
+    runs_ = runsOf(frame_);
     slots_.assign(runs_.chordCount(), -1);
     squares_.clear();
     wanted_.clear();
+    resetPair(SIDE_TOP);
+    resetPair(SIDE_RIGHT);
+}
+
+void VoteSquares::resetPair(int side)
+{
+    Pair& pair = pairs_[side];
+    pair.mayHavePieces = EdgePieces::suits(*planes_, side == SIDE_TOP);
+    pair.hasPieces = false;
+    pair.length = frame_.pointCount(side);
+    pair.columns = frame_.pointCount(1 - side);
+    pair.firstSquare = runs_.chordIndex(runs_.firstPoint(side), runs_.firstPoint(side + 2));
+    pair.rowSquares = runs_.rowLength(side);
+    pair.words = wordsOf(pair.length);
+    pair.strips.assign(pair.mayHavePieces ? (2 * (size_t)pair.length - 1) * pair.words : 0, 0);
 }
 
 VoteSquares::Place VoteSquares::placeOf(Chord chord) const
@@ -164,25 +220,145 @@ void VoteSquares::want(Chord chord, int radius)
         }
 }
 
-void VoteSquares::countWanted(const ChordCounter& counter)
+void VoteSquares::countWanted()
 {
+    size_t counts[2] = {0, 0};
+    for (size_t i = 0; i < wanted_.size(); ++i)
+    {
+        const int pair = pairOf(squares_[wanted_[i]]);
+        if (pair >= 0)
+            ++counts[pair];
+    }
+    for (int i = 0; i < 2; ++i)
+        if (pairs_[i].mayHavePieces && !pairs_[i].hasPieces && counts[i] >= LEAST_SQUARES)
+        {
+            pairs_[i].pieces.reset(*planes_, i == SIDE_TOP);
+            pairs_[i].hasPieces = true;
+        }
+    alone_.clear();
+    for (size_t i = 0; i < wanted_.size(); ++i)
+    {
+        const Square& square = squares_[wanted_[i]];
+        const int pair = pairOf(square);
+        if (pair >= 0 && pairs_[pair].hasPieces)
+            wantStrips(pairs_[pair], square);
+        else
+            alone_.push_back(wanted_[i]);
+    }
+    for (int i = 0; i < 2; ++i)
+        if (counts[i] > 0 && pairs_[i].hasPieces)
+            countStrips(pairs_[i]);
+    countAlone();
+    for (size_t i = 0; i < wanted_.size(); ++i)
+    {
+        Square& square = squares_[wanted_[i]];
+        square.counted |= square.wanted;
+        square.wanted = 0;
+    }
+    wanted_.clear();
+}
+
+//! The family of a square's first chord, u - v; those of the others are higher.
+int VoteSquares::familyOf(const Pair& pair, const Square& square) const
+{
+    const int side = &pair == &pairs_[SIDE_TOP] ? SIDE_TOP : SIDE_RIGHT;
+    return square.s - frame_.firstPoint(side) -
+           (pair.length - 1 - (square.e - frame_.firstPoint(side + 2)));
+}
+
+//! The pair of sides whose pieces a square can be counted with; -1: none.
+int VoteSquares::pairOf(const Square& square) const
+{
+    const int side = frame_.sideOf(square.s);
+    if (side > SIDE_RIGHT || frame_.sideOf(square.e) != side + 2)
+        return -1;
+    // All its chords must be steeper than diagonals.
+    const int family = familyOf(pairs_[side], square);
+    const bool suits = -family < pairs_[side].columns &&
+                       family + DIAGONALS - 1 < pairs_[side].columns;
+    return suits ? side : -1;
+}
+
+void VoteSquares::wantStrips(Pair& pair, const Square& square)
+{
+    const int side = &pair == &pairs_[SIDE_TOP] ? SIDE_TOP : SIDE_RIGHT;
+    const int strip = (square.s - frame_.firstPoint(side)) / PARALLEL;
+    const int first = familyOf(pair, square) + pair.length - 1;
+    uint64* const words = pair.strips.data() + strip / 64;
+    for (int k = 0; k < DIAGONALS; ++k)
+        if (square.wanted & diagonal(k))
+            words[(ptrdiff_t)(first + k) * (ptrdiff_t)pair.words] |= (uint64)1 << strip % 64;
+}
+
+void VoteSquares::countStrips(Pair& pair)
+{
+    // Families next to each other pass the same pixels, in the cache.
+    parallel_for_(Range(0, 2 * pair.length - 1),
+                  [&](const Range& range)
+                  {
+                      std::vector<int> starts, votes;
+                      for (int i = range.start; i < range.end; ++i)
+                          countFamily(pair, i - (pair.length - 1), starts, votes);
+                  },
+                  8 * std::max(1, getNumThreads()));
+}
+
+void VoteSquares::countFamily(Pair& pair, int family, std::vector<int>& starts,
+                              std::vector<int>& votes)
+{
+    uint64* const words = &pair.strips[(size_t)(family + pair.length - 1) * pair.words];
+    starts.clear();
+    for (size_t i = 0; i < pair.words; ++i)
+    {
+        for (uint64 left = words[i]; left != 0; left &= left - 1)
+            starts.push_back((int)(64 * i + lowestBit(left)) * PARALLEL);
+        words[i] = 0;
+    }
+    if (starts.empty())
+        return;
+    votes.resize(starts.size() * PARALLEL);
+    pair.pieces.count(family, starts.data(), (int)starts.size(), votes.data());
+    for (size_t i = 0; i < starts.size(); ++i)
+        takeVotes(pair, family, starts[i], &votes[i * PARALLEL]);
+}
+
+//! Hands the votes of a strip to the squares there are.
+void VoteSquares::takeVotes(const Pair& pair, int family, int start, const int* votes)
+{
+    const int last = std::min(start + PARALLEL, pair.length + std::min(0, family)) - 1;
+    int* square = 0;
+    for (int u = std::max(start, family), first = u; u <= last; ++u)
+    {
+        // The next chord is a row below and a column before.
+        const int w = pair.length - 1 - (u - family), row = u % SQUARE, column = w % SQUARE;
+        if (u == first || row == 0 || column == SQUARE - 1)
+        {
+            const int slot =
+                slots_[pair.firstSquare + u / SQUARE * pair.rowSquares + w / SQUARE];
+            square = slot < 0 ? 0 : squares_[slot].votes;
+        }
+        if (square)
+            square[SQUARE * row + column] = votes[u - start];
+    }
+}
+
+void VoteSquares::countAlone()
+{
+    const ChordCounter counter(*planes_);
     const auto countRange = [&](const Range& range)
     {
         for (int i = range.start; i < range.end; ++i)
         {
-            Square& square = squares_[wanted_[i]];
+            Square& square = squares_[alone_[i]];
             const Chord first = {square.s, square.e};
             counter.countSquare(first, square.wanted, square.votes);
-            square.counted |= square.wanted;
-            square.wanted = 0;
         }
     };
-    const Range all(0, (int)wanted_.size());
+    const Range all(0, (int)alone_.size());
     if (all.end < 8) // not worth waking up other threads
         countRange(all);
     else
         parallel_for_(all, countRange, 8 * std::max(1, getNumThreads()));
-    wanted_.clear();
 }
 
 Candidate VoteSquares::strongestAround(Chord chord, int radius) const

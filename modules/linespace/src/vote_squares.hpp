@@ -8,6 +8,7 @@
 #define OPENCV_LINESPACE_VOTE_SQUARES_HPP
 
 #include "chord_counter.hpp"
+#include "edge_pieces.hpp"
 #include "peaks.hpp"
 
 namespace cv {
@@ -23,11 +24,13 @@ public:
         SQUARE = ChordCounter::SQUARE
     };
 
-    //! Forgets all votes.
-    void reset(const Cell& frame);
+    VoteSquares() : planes_(0) {}
+
+    //! Forgets all votes; those asked for from now on are of these planes, which must outlive it.
+    void reset(const EdgePlanes& planes);
     void clear();
     //! Bytes kept, besides those of the squares in use.
-    static double memory(const Cell& frame);
+    static double memory(const Cell& frame, bool hasPieces);
     //! Bytes of so many squares, or of all there are.
     static double squareMemory(const Cell& frame, double squares);
 
@@ -37,7 +40,7 @@ public:
     //! Asks for the votes of all chords (s + i, e + j) of the ring, |i|, |j| <= radius; s < e.
     void want(Chord chord, int radius);
     //! Counts what is wanted, in parallel.
-    void countWanted(const ChordCounter& counter);
+    void countWanted();
 
     /** The strongest chord of a neighbourhood that was counted, the chord itself included, in the
     total order; may be called from several threads at once. */
@@ -71,10 +74,34 @@ private:
     template<class Visit>
     void forEachOnRing(Chord chord, int radius, Visit visit) const;
 
+    //! The chords between top and bottom, or right and left, by families: those with equal u - v,
+    //! where u is the position of s along its side, and v that of e, counted the other way.
+    struct Pair
+    {
+        bool mayHavePieces, hasPieces;
+        EdgePieces pieces;
+        int length, columns; //!< of the sides, and from one to the other
+        size_t firstSquare, rowSquares; //!< index of the first square, and how many a row has
+        size_t words;                   //!< of a family
+        std::vector<uint64> strips; //!< a bit for each PARALLEL chords of a family, from u = 0 on
+    };
+
+    void resetPair(int side);
+    int pairOf(const Square& square) const;
+    int familyOf(const Pair& pair, const Square& square) const;
+    void wantStrips(Pair& pair, const Square& square);
+    void countStrips(Pair& pair);
+    void countFamily(Pair& pair, int family, std::vector<int>& starts, std::vector<int>& votes);
+    void takeVotes(const Pair& pair, int family, int start, const int* votes);
+    void countAlone();
+
+    const EdgePlanes* planes_;
+    Pair pairs_[2];
     Cell frame_, runs_;      //!< runs_: a cell with a border point for each run
     std::vector<int> slots_; //!< of each square, by chords of runs_; -1: not in use
     std::vector<Square> squares_;
     std::vector<int> wanted_; //!< slots
+    std::vector<int> alone_;  //!< those of them that are counted without pieces
 };
 
 } // namespace linespace
