@@ -134,7 +134,51 @@ void EdgePieces::sumRow(int group)
         std::memset(out + way * wayStride_ + size_.width, 0, MARGIN);
 }
 
-void EdgePieces::count(int difference, const int* starts, int strips, int* votes) const
+//! Where a family is at some column.
+struct EdgePieces::Walk
+{
+    int64 position, increment; //!< 2^-32 pixels, of the chord with u = 0
+    Ways ways;
+
+    Walk() : position(0), increment(0), ways(0, 0) {}
+
+    //! Where the next groups of columns are in the sums, from the first of them on, rounded up to
+    //! four.
+    void next(int groups, ptrdiff_t stride, int* offsets)
+    {
+        const int64 step = LENGTH * increment;
+        int rows[4];
+        uint fractions[4];
+        for (int k = 0; k < 4; ++k)
+        {
+            rows[k] = (int)((position + k * step) >> 32) + k * (int)stride + (int)ways.offsets[0];
+            fractions[k] = (uint)(position + k * step);
+        }
+        const v_uint32x4 sign = v_setall_u32(0x80000000u); // comparisons are signed
+        const auto ordered = [&](const v_uint32x4& values) { return v_reinterpret_as_s32(values ^ sign); };
+        v_int32x4 fraction = ordered(v_load(fractions)), place = v_load(rows);
+        const v_int32x4 fractionStep = v_setall_s32((int)(4 * step)),
+                        placeStep = v_setall_s32((int)(4 * step >> 32) + 4 * (int)stride);
+        v_int32x4 limits[LENGTH - 1], farther[LENGTH - 1];
+        for (int k = 0; k < LENGTH - 1; ++k)
+        {
+            limits[k] = ordered(v_setall_u32(ways.limits[k]));
+            farther[k] = v_setall_s32((int)(ways.offsets[k + 1] - ways.offsets[k]));
+        }
+        for (int group = 0; group < groups; group += 4)
+        {
+            v_store(offsets + group, place + ((fraction > limits[0]) & farther[0]) +
+                                         ((fraction > limits[1]) & farther[1]) +
+                                         ((fraction > limits[2]) & farther[2]));
+            const v_int32x4 before = fraction;
+            fraction = fraction + fractionStep;
+            place = place + placeStep - (before > fraction); // one more where it has passed 1
+        }
+        position += groups * step;
+    }
+};
+
+EdgePieces::Walk EdgePieces::walkOf(int difference) const
 {
     const Cell& frame = planes_->frame();
     const int u = std::max(0, difference), v = u - difference;
@@ -143,62 +187,99 @@ void EdgePieces::count(int difference, const int* starts, int strips, int* votes
                   size_.width - 1 - v;
     const Chord chord = {s, e};
     const Raster raster(frame, chord);
-    int64 position, increment;
-    const bool isExact = raster.fixedPoint(position, increment);
+    Walk walk;
+    const bool isExact = raster.fixedPoint(walk.position, walk.increment);
     CV_DbgAssert(isExact && raster.first == 0 && raster.count == size_.height &&
                  raster.xMajor != isBetweenTopAndBottom_);
     CV_UNUSED(isExact);
-    position -= (int64)u << 32; // of u = 0
+    walk.position -= (int64)u << 32;
+    walk.ways = Ways(walk.increment, wayStride_);
+    return walk;
+}
 
+namespace {
+
+inline void addBytes(const v_uint8x16& sums, int* votes)
+{
+    v_uint16x8 low, high;
+    v_expand(sums, low, high);
+    v_uint32x4 quarters[4];
+    v_expand(low, quarters[0], quarters[1]);
+    v_expand(high, quarters[2], quarters[3]);
+    for (int i = 0; i < 4; ++i)
+        v_store(votes + 4 * i, v_load(votes + 4 * i) + v_reinterpret_as_s32(quarters[i]));
+}
+
+//! Adds what is at the offsets of some groups to the votes of two strips.
+inline void sumStrips(const uchar* first, const uchar* second, const int* offsets, int groups,
+                      int* firstVotes, int* secondVotes)
+{
+    v_uint8x16 firstSums = v_setzero_u8(), secondSums = firstSums;
+    for (int group = 0; group < groups; ++group)
+    {
+        const ptrdiff_t offset = offsets[group];
+        firstSums = firstSums + v_load(first + offset);
+        secondSums = secondSums + v_load(second + offset);
+    }
+    addBytes(firstSums, firstVotes);
+    addBytes(secondSums, secondVotes);
+}
+
+} // namespace
+
+void EdgePieces::count(const Family* families, int familyCount, const int* starts,
+                       int* votes) const
+{
+    CV_DbgAssert(familyCount <= MOST_FAMILIES);
+    Walk walks[MOST_FAMILIES];
+    int strips = 0;
+    for (int i = 0; i < familyCount; ++i)
+    {
+        walks[i] = walkOf(families[i].difference);
+        strips += families[i].strips;
+    }
     std::fill(votes, votes + strips * PARALLEL, 0);
-    const Ways ways(increment, wayStride_);
     const int groups = size_.height / LENGTH;
     const int MOST_GROUPS = 60; // until a byte may be full; a multiple of 4
-    ptrdiff_t offsets[MOST_GROUPS];
+    int offsets[MOST_GROUPS];
+    // All families for some columns, before the cache has forgotten these.
     for (int first = 0; first < groups; first += MOST_GROUPS)
     {
         const int count = std::min(MOST_GROUPS, groups - first);
         const uchar* const sums = sums_ + first * stride_;
-        for (int group = 0; group < count; ++group, position += LENGTH * increment)
+        for (int i = 0, strip = 0; i < familyCount; ++i)
         {
-            const uint fraction = (uint)position;
-            const int which = (fraction > ways.limits[0]) + (fraction > ways.limits[1]) +
-                              (fraction > ways.limits[2]);
-            offsets[group] = ways.offsets[which] + group * stride_ + (ptrdiff_t)(position >> 32);
-        }
-        for (int strip = 0; strip < strips; ++strip)
-        {
-            const uchar* const own = sums + starts[strip];
-            v_uint8x16 even = v_setzero_u8(), odd = even;
-            int group = 0;
-            for (; group + 2 <= count; group += 2)
+            walks[i].next(count, stride_, offsets);
+            const int end = strip + families[i].strips;
+            for (; strip < end; strip += 2)
             {
-                even = even + v_load(own + offsets[group]);
-                odd = odd + v_load(own + offsets[group + 1]);
+                int unused[PARALLEL];
+                const bool isPair = strip + 1 < end;
+                const int second = isPair ? strip + 1 : strip;
+                sumStrips(sums + starts[strip], sums + starts[second], offsets, count,
+                          votes + strip * PARALLEL, isPair ? votes + second * PARALLEL : unused);
             }
-            if (group < count)
-                even = even + v_load(own + offsets[group]);
-            uchar bytes[PARALLEL];
-            v_store(bytes, even + odd);
-            for (int i = 0; i < PARALLEL; ++i)
-                votes[strip * PARALLEL + i] += bytes[i];
+            strip = end;
         }
     }
-    for (int column = LENGTH * groups; column < size_.height; ++column, position += increment)
-        for (int strip = 0; strip < strips; ++strip)
-        {
-            const uchar* const own =
-                plane_.row(column) + (ptrdiff_t)(position >> 32) + starts[strip];
-            for (int i = 0; i < PARALLEL; ++i)
-                votes[strip * PARALLEL + i] += own[i];
-        }
+    for (int i = 0, strip = 0; i < familyCount; ++i)
+        for (const int end = strip + families[i].strips; strip < end; ++strip)
+            for (int column = LENGTH * groups; column < size_.height; ++column)
+            {
+                const int64 position =
+                    walks[i].position + (column - LENGTH * groups) * walks[i].increment;
+                const uchar* const own =
+                    plane_.row(column) + (ptrdiff_t)(position >> 32) + starts[strip];
+                for (int k = 0; k < PARALLEL; ++k)
+                    votes[strip * PARALLEL + k] += own[k];
+            }
 }
 
 #else
 
 void EdgePieces::sumRow(int) {}
 
-void EdgePieces::count(int, const int*, int, int*) const
+void EdgePieces::count(const Family*, int, const int*, int*) const
 {
     CV_Error(Error::StsInternal, "suits() is false");
 }

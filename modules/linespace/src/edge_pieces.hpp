@@ -43,15 +43,28 @@ public:
     //! Bytes that reset() allocates.
     static double memory(const Cell& frame, bool isBetweenTopAndBottom);
 
-    /** Votes of the chords with equal u - v, the positions of s and e along their sides as in
-    VoteSquares, less than a side's length in size and than the number of columns (than one more,
-    between right and left): of the PARALLEL with u from starts[k] on, at votes[k PARALLEL]. Those
-    that leave the sides get votes without a meaning; one of each PARALLEL must not. */
-    void count(int difference, const int* starts, int strips, int* votes) const;
+    /** Chords with equal u - v, where u and v are the positions of s and e along their sides, v
+    counted the other way: less than the sides' length in size, and than the number of columns. */
+    struct Family
+    {
+        int difference;
+        int strips; //!< of PARALLEL chords with consecutive u
+    };
+    /** Votes of strips, the first ones those of the first family, and so on.
+    @param starts least u of each; one of the chords at least must not leave the sides.
+    @param votes PARALLEL for each; those of chords that leave the sides have no meaning. */
+    void count(const Family* families, int familyCount, const int* starts, int* votes) const;
+
+    enum
+    {
+        MOST_FAMILIES = 16 //!< at once, best next to each other
+    };
 
 private:
     static Size sizeOf(const Cell& frame, bool isBetweenTopAndBottom);
     void sumRow(int group);
+    struct Walk;
+    Walk walkOf(int difference) const;
 
     const EdgePlanes* planes_;
     bool isBetweenTopAndBottom_;

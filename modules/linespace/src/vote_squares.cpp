@@ -293,52 +293,64 @@ void VoteSquares::wantStrips(Pair& pair, const Square& square)
 void VoteSquares::countStrips(Pair& pair)
 {
     // Families next to each other pass the same pixels, in the cache.
-    parallel_for_(Range(0, 2 * pair.length - 1),
-                  [&](const Range& range)
-                  {
-                      std::vector<int> starts, votes;
-                      for (int i = range.start; i < range.end; ++i)
-                          countFamily(pair, i - (pair.length - 1), starts, votes);
-                  },
+    const int atOnce = EdgePieces::MOST_FAMILIES, families = 2 * pair.length - 1;
+    const auto countRange = [&](const Range& range)
+    {
+        std::vector<int> starts, votes;
+        for (int i = range.start; i < range.end; ++i)
+        {
+            EdgePieces::Family wanted[atOnce];
+            int count = 0;
+            starts.clear();
+            for (int k = atOnce * i; k < std::min(atOnce * (i + 1), families); ++k)
+            {
+                const size_t before = starts.size();
+                takeStrips(pair, k, starts);
+                wanted[count].difference = k - (pair.length - 1);
+                wanted[count].strips = (int)(starts.size() - before);
+                count += wanted[count].strips > 0;
+            }
+            votes.resize(starts.size() * PARALLEL);
+            pair.pieces.count(wanted, count, starts.data(), votes.data());
+            for (int k = 0, strip = 0; k < count; ++k)
+                for (const int end = strip + wanted[k].strips; strip < end; ++strip)
+                    takeVotes(pair, wanted[k].difference, starts[strip],
+                              &votes[strip * PARALLEL]);
+        }
+    };
+    parallel_for_(Range(0, (families + atOnce - 1) / atOnce), countRange,
                   8 * std::max(1, getNumThreads()));
 }
 
-void VoteSquares::countFamily(Pair& pair, int family, std::vector<int>& starts,
-                              std::vector<int>& votes)
+//! Where the wanted strips of a family begin; they are not wanted any more.
+void VoteSquares::takeStrips(Pair& pair, int family, std::vector<int>& starts) const
 {
-    uint64* const words = &pair.strips[(size_t)(family + pair.length - 1) * pair.words];
-    starts.clear();
+    uint64* const words = &pair.strips[(size_t)family * pair.words];
     for (size_t i = 0; i < pair.words; ++i)
     {
         for (uint64 left = words[i]; left != 0; left &= left - 1)
             starts.push_back((int)(64 * i + lowestBit(left)) * PARALLEL);
         words[i] = 0;
     }
-    if (starts.empty())
-        return;
-    votes.resize(starts.size() * PARALLEL);
-    pair.pieces.count(family, starts.data(), (int)starts.size(), votes.data());
-    for (size_t i = 0; i < starts.size(); ++i)
-        takeVotes(pair, family, starts[i], &votes[i * PARALLEL]);
 }
 
 //! Hands the votes of a strip to the squares there are.
 void VoteSquares::takeVotes(const Pair& pair, int family, int start, const int* votes)
 {
-    const int last = std::min(start + PARALLEL, pair.length + std::min(0, family)) - 1;
-    int* square = 0;
-    for (int u = std::max(start, family), first = u; u <= last; ++u)
+    const int end = std::min(start + PARALLEL, pair.length + std::min(0, family));
+    for (int u = std::max(start, family); u < end;)
     {
-        // The next chord is a row below and a column before.
+        // In a square, the next chord is a row below and a column before.
         const int w = pair.length - 1 - (u - family), row = u % SQUARE, column = w % SQUARE;
-        if (u == first || row == 0 || column == SQUARE - 1)
+        const int count = std::min(std::min(SQUARE - row, column + 1), end - u);
+        const int slot = slots_[pair.firstSquare + u / SQUARE * pair.rowSquares + w / SQUARE];
+        if (slot >= 0)
         {
-            const int slot =
-                slots_[pair.firstSquare + u / SQUARE * pair.rowSquares + w / SQUARE];
-            square = slot < 0 ? 0 : squares_[slot].votes;
+            int* const own = squares_[slot].votes + SQUARE * row + column;
+            for (int i = 0; i < count; ++i)
+                own[(SQUARE - 1) * i] = votes[u - start + i];
         }
-        if (square)
-            square[SQUARE * row + column] = votes[u - start];
+        u += count;
     }
 }
 

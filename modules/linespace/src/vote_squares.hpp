@@ -91,7 +91,7 @@ private:
     int familyOf(const Pair& pair, const Square& square) const;
     void wantStrips(Pair& pair, const Square& square);
     void countStrips(Pair& pair);
-    void countFamily(Pair& pair, int family, std::vector<int>& starts, std::vector<int>& votes);
+    void takeStrips(Pair& pair, int family, std::vector<int>& starts) const;
     void takeVotes(const Pair& pair, int family, int start, const int* votes);
     void countAlone();
 
