@@ -23,11 +23,10 @@ class Ascent
 public:
     Ascent(int radius, VoteSquares& squares) : radius_(radius), squares_(squares) {}
 
-    std::vector<Candidate> run(std::vector<Candidate> climbing)
+    std::vector<Candidate> run(const std::vector<Candidate>& candidates)
     {
+        std::vector<Candidate> climbing = groupedBySquares(candidates);
         std::vector<Candidate> maxima, next;
-        for (size_t i = 0; i < climbing.size(); ++i)
-            squares_.mark(climbing[i].chord());
         while (!climbing.empty())
         {
             for (size_t i = 0; i < climbing.size(); ++i)
@@ -46,6 +45,25 @@ public:
     }
 
 private:
+    //! In the order of runs of s: those that share squares are near one another, which makes
+    //! everything faster and changes nothing.
+    static std::vector<Candidate> groupedBySquares(const std::vector<Candidate>& candidates)
+    {
+        const int run = VoteSquares::SQUARE;
+        int last = 0;
+        for (size_t i = 0; i < candidates.size(); ++i)
+            last = std::max(last, candidates[i].s / run);
+        std::vector<size_t> starts(last + 2, 0);
+        for (size_t i = 0; i < candidates.size(); ++i)
+            ++starts[candidates[i].s / run + 1];
+        for (int k = 0; k < last; ++k)
+            starts[k + 1] += starts[k];
+        std::vector<Candidate> result(candidates.size());
+        for (size_t i = 0; i < candidates.size(); ++i)
+            result[starts[candidates[i].s / run]++] = candidates[i];
+        return result;
+    }
+
     void takeSteps(const std::vector<Candidate>& from, std::vector<Candidate>& to) const
     {
         to.resize(from.size());

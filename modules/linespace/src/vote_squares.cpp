@@ -55,12 +55,55 @@ inline int lowestBit(uint64 bits)
     return (int)(low != 0 ? trailingZeros32(low) : 32 + trailingZeros32((unsigned)(bits >> 32)));
 }
 
-//! The part of positions first to last that is in the k-th run.
-inline void clipToRun(int k, int& first, int& last)
+const int SIDE = 5; // of the largest neighbourhood
+
+/** The first of the chords with the most votes, by numbers that have the votes in their high bits,
+and below them 31 less the chord's place. Votes are below 2^26: the frame's sides would have to be
+263,173 pixels for more, 255 each, and the table of votes 2^36 entries. */
+class Strongest
 {
-    first = std::max(first - SQUARE * k, 0);
-    last = std::min(last - SQUARE * k, SQUARE - 1);
-}
+public:
+#if LINESPACE_SIMD128
+    Strongest() : low_(v_setzero_s32()), high_(low_) {}
+
+    //! Those from left to right of a row whose first one, in or out, has a place.
+    void addRow(const int* row, int left, int right, int place)
+    {
+        // Windows of 8 of these, from -left on, are the masks.
+        static const int INSIDE[24] = {0, 0, 0, 0, 0, 0, 0, 0, -1, -1, -1, -1,
+                                       -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0};
+        const int *const from = INSIDE + SQUARE - left, *const to = INSIDE + 2 * SQUARE - 1 - right;
+        const v_int32x4 order = v_int32x4(31, 30, 29, 28) - v_setall_s32(place);
+        low_ = v_max(low_, ((v_load(row) << 5) + order) & v_load(from) & v_load(to));
+        high_ = v_max(high_, ((v_load(row + 4) << 5) + order - v_setall_s32(4)) &
+                                 v_load(from + 4) & v_load(to + 4));
+    }
+    void get(int& votes, int& place) const
+    {
+        const int most = v_reduce_max(v_max(low_, high_));
+        votes = most >> 5;
+        place = 31 - most % 32;
+    }
+
+private:
+    v_int32x4 low_, high_;
+#else
+    Strongest() : most_(0) {}
+    void addRow(const int* row, int left, int right, int place)
+    {
+        for (int j = left; j <= right; ++j)
+            most_ = std::max(most_, row[j] * 32 + 31 - (place + j));
+    }
+    void get(int& votes, int& place) const
+    {
+        votes = most_ >> 5;
+        place = 31 - most_ % 32;
+    }
+
+private:
+    int most_;
+#endif
+};
 
 } // namespace
 
@@ -103,6 +146,9 @@ void VoteSquares::reset(const EdgePlanes& planes)
     slots_.assign(runs_.chordCount(), -1);
     squares_.clear();
     wanted_.clear();
+    for (int s = SIDE_TOP; s < SIDE_LEFT; ++s)
+        for (int e = s + 1; e <= SIDE_LEFT; ++e)
+            firstSquares_[s][e] = runs_.chordIndex(runs_.firstPoint(s), runs_.firstPoint(e));
     resetPair(SIDE_TOP);
     resetPair(SIDE_RIGHT);
 }
@@ -114,19 +160,24 @@ void VoteSquares::resetPair(int side)
     pair.hasPieces = false;
     pair.length = frame_.pointCount(side);
     pair.columns = frame_.pointCount(1 - side);
-    pair.firstSquare = runs_.chordIndex(runs_.firstPoint(side), runs_.firstPoint(side + 2));
-    pair.rowSquares = runs_.rowLength(side);
     pair.words = wordsOf(pair.length);
     pair.strips.assign(pair.mayHavePieces ? (2 * (size_t)pair.length - 1) * pair.words : 0, 0);
 }
 
-VoteSquares::Place VoteSquares::placeOf(Chord chord) const
+VoteSquares::Position VoteSquares::positionOf(Chord chord) const
 {
     const int sideS = frame_.sideOf(chord.s), sideE = frame_.sideOf(chord.e);
-    const int u = chord.s - frame_.firstPoint(sideS), v = chord.e - frame_.firstPoint(sideE);
-    const Place place = {runs_.chordIndex(runs_.firstPoint(sideS) + u / SQUARE,
-                                          runs_.firstPoint(sideE) + v / SQUARE),
-                         u % SQUARE, v % SQUARE};
+    const Position position = {sideS, sideE, chord.s - frame_.firstPoint(sideS),
+                               chord.e - frame_.firstPoint(sideE)};
+    return position;
+}
+
+VoteSquares::Place VoteSquares::placeOf(Chord chord) const
+{
+    const Position position = positionOf(chord);
+    const Place place = {squareOf(position.sideS, position.sideE, position.u / SQUARE,
+                                  position.w / SQUARE),
+                         position.u % SQUARE, position.w % SQUARE};
     return place;
 }
 
@@ -161,22 +212,28 @@ void VoteSquares::wantOf(Square& square, uint64 chords)
     square.wanted |= chords;
 }
 
-VoteSquares::Around VoteSquares::around(Chord chord, int radius) const
+//! Whether a neighbourhood keeps to the sides of its middle.
+bool VoteSquares::isInside(const Position& position, int radius) const
 {
-    const int sideS = frame_.sideOf(chord.s), sideE = frame_.sideOf(chord.e);
-    const int u = chord.s - frame_.firstPoint(sideS), v = chord.e - frame_.firstPoint(sideE);
-    const Around result = {sideS, sideE, u - radius, u + radius, v - radius, v + radius};
-    return result;
+    return std::min(position.u, position.w) >= radius &&
+           position.u + radius < frame_.pointCount(position.sideS) &&
+           position.w + radius < frame_.pointCount(position.sideE);
 }
 
-bool VoteSquares::isInside(const Around& around) const
+/** Calls visit(runS, runE, top, bottom, left, right) for the squares that a neighbourhood inside its
+sides meets, and which rows and columns of them. */
+template<class Visit>
+inline void VoteSquares::forEachPart(const Position& position, int radius, Visit visit) const
 {
-    return std::min(around.firstU, around.firstV) >= 0 &&
-           around.lastU < frame_.pointCount(around.sideS) &&
-           around.lastV < frame_.pointCount(around.sideE);
+    const int firstU = position.u - radius, lastU = position.u + radius;
+    const int firstW = position.w - radius, lastW = position.w + radius;
+    for (int k = firstU / SQUARE; k <= lastU / SQUARE; ++k)
+        for (int l = firstW / SQUARE; l <= lastW / SQUARE; ++l)
+            visit(k, l, std::max(firstU - SQUARE * k, 0), std::min(lastU - SQUARE * k, SQUARE - 1),
+                  std::max(firstW - SQUARE * l, 0), std::min(lastW - SQUARE * l, SQUARE - 1));
 }
 
-//! Calls visit(p, q), in either order, for the chords of a neighbourhood across corners.
+//! Calls visit(chord) for those of a neighbourhood across corners.
 template<class Visit>
 void VoteSquares::forEachOnRing(Chord chord, int radius, Visit visit) const
 {
@@ -193,9 +250,10 @@ void VoteSquares::forEachOnRing(Chord chord, int radius, Visit visit) const
 
 void VoteSquares::want(Chord chord, int radius)
 {
-    const Around own = around(chord, radius);
-    if (!isInside(own))
+    const Position middle = positionOf(chord);
+    if (!isInside(middle, radius))
     {
+        mark(chord);
         forEachOnRing(chord, radius,
                       [this](Chord neighbour)
                       {
@@ -206,18 +264,17 @@ void VoteSquares::want(Chord chord, int radius)
                       });
         return;
     }
-    const int runS = runs_.firstPoint(own.sideS), runE = runs_.firstPoint(own.sideE);
-    const int firstS = frame_.firstPoint(own.sideS), firstE = frame_.firstPoint(own.sideE);
-    for (int k = own.firstU / SQUARE; k <= own.lastU / SQUARE; ++k)
-        for (int l = own.firstV / SQUARE; l <= own.lastV / SQUARE; ++l)
-        {
-            int top = own.firstU, bottom = own.lastU, left = own.firstV, right = own.lastV;
-            clipToRun(k, top, bottom);
-            clipToRun(l, left, right);
-            wantOf(squareAt(runs_.chordIndex(runS + k, runE + l), firstS + SQUARE * k,
-                            firstE + SQUARE * l),
-                   rowsFrom(top, bottom) & columnsFrom(left, right));
-        }
+    forEachPart(middle, radius,
+                [&](int runS, int runE, int top, int bottom, int left, int right)
+                {
+                    const int row = middle.u - SQUARE * runS, column = middle.w - SQUARE * runE;
+                    Square& square =
+                        squareAt(squareOf(middle.sideS, middle.sideE, runS, runE),
+                                 chord.s - row, chord.e - column);
+                    wantOf(square, rowsFrom(top, bottom) & columnsFrom(left, right));
+                    if ((unsigned)row < (unsigned)SQUARE && (unsigned)column < (unsigned)SQUARE)
+                        square.marked |= (uint64)1 << (SQUARE * row + column);
+                });
 }
 
 void VoteSquares::countWanted()
@@ -238,7 +295,7 @@ void VoteSquares::countWanted()
     alone_.clear();
     for (size_t i = 0; i < wanted_.size(); ++i)
     {
-        const Square& square = squares_[wanted_[i]];
+        Square& square = squares_[wanted_[i]];
         const int pair = pairOf(square);
         if (pair >= 0 && pairs_[pair].hasPieces)
             wantStrips(pairs_[pair], square);
@@ -279,7 +336,7 @@ int VoteSquares::pairOf(const Square& square) const
     return suits ? side : -1;
 }
 
-void VoteSquares::wantStrips(Pair& pair, const Square& square)
+void VoteSquares::wantStrips(Pair& pair, Square& square)
 {
     const int side = &pair == &pairs_[SIDE_TOP] ? SIDE_TOP : SIDE_RIGHT;
     const int strip = (square.s - frame_.firstPoint(side)) / PARALLEL;
@@ -287,7 +344,10 @@ void VoteSquares::wantStrips(Pair& pair, const Square& square)
     uint64* const words = pair.strips.data() + strip / 64;
     for (int k = 0; k < DIAGONALS; ++k)
         if (square.wanted & diagonal(k))
+        {
+            square.counted |= diagonal(k); // as they are counted together
             words[(ptrdiff_t)(first + k) * (ptrdiff_t)pair.words] |= (uint64)1 << strip % 64;
+        }
 }
 
 void VoteSquares::countStrips(Pair& pair)
@@ -337,13 +397,14 @@ void VoteSquares::takeStrips(Pair& pair, int family, std::vector<int>& starts) c
 //! Hands the votes of a strip to the squares there are.
 void VoteSquares::takeVotes(const Pair& pair, int family, int start, const int* votes)
 {
+    const int side = &pair == &pairs_[SIDE_TOP] ? SIDE_TOP : SIDE_RIGHT;
     const int end = std::min(start + PARALLEL, pair.length + std::min(0, family));
     for (int u = std::max(start, family); u < end;)
     {
         // In a square, the next chord is a row below and a column before.
         const int w = pair.length - 1 - (u - family), row = u % SQUARE, column = w % SQUARE;
         const int count = std::min(std::min(SQUARE - row, column + 1), end - u);
-        const int slot = slots_[pair.firstSquare + u / SQUARE * pair.rowSquares + w / SQUARE];
+        const int slot = slots_[squareOf(side, side + 2, u / SQUARE, w / SQUARE)];
         if (slot >= 0)
         {
             int* const own = squares_[slot].votes + SQUARE * row + column;
@@ -373,51 +434,47 @@ void VoteSquares::countAlone()
         parallel_for_(all, countRange, 8 * std::max(1, getNumThreads()));
 }
 
-Candidate VoteSquares::strongestAround(Chord chord, int radius) const
+Candidate VoteSquares::strongestAcrossCorners(Chord chord, int radius) const
 {
     Candidate best = {-1, 0, 0};
-    const Around own = around(chord, radius);
-    if (!isInside(own))
-    {
-        forEachOnRing(chord, radius,
-                      [&](Chord neighbour)
-                      {
-                          const Place place = placeOf(neighbour);
-                          const Square& square = squares_[slots_[place.square]];
-                          const int bit = SQUARE * place.row + place.column;
-                          CV_DbgAssert(square.counted >> bit & 1);
-                          const Candidate other = {square.votes[bit], neighbour.s, neighbour.e};
-                          if (isStronger(other, best))
-                              best = other;
-                      });
-        return best;
-    }
-    // Votes, and below them what orders equal ones: the first one has the most.
-    int64 strongest = -1;
-    const int side = 2 * radius + 1;
-    const int runS = runs_.firstPoint(own.sideS), runE = runs_.firstPoint(own.sideE);
-    for (int k = own.firstU / SQUARE; k <= own.lastU / SQUARE; ++k)
-        for (int l = own.firstV / SQUARE; l <= own.lastV / SQUARE; ++l)
-        {
-            int top = own.firstU, bottom = own.lastU, left = own.firstV, right = own.lastV;
-            clipToRun(k, top, bottom);
-            clipToRun(l, left, right);
-            const Square& square = squares_[slots_[runs_.chordIndex(runS + k, runE + l)]];
-            for (int i = top; i <= bottom; ++i)
-                for (int j = left; j <= right; ++j)
-                {
-                    CV_DbgAssert(square.counted >> (SQUARE * i + j) & 1);
-                    const int row = SQUARE * k + i - own.firstU,
-                              column = SQUARE * l + j - own.firstV;
-                    strongest = std::max(strongest, (int64)square.votes[SQUARE * i + j] * 32 + 31 -
-                                                        (row * side + column));
-                }
-        }
-    const int place = 31 - (int)(strongest % 32);
-    best.votes = (int)(strongest / 32);
-    best.s = chord.s - radius + place / side;
-    best.e = chord.e - radius + place % side;
+    forEachOnRing(chord, radius,
+                  [&](Chord neighbour)
+                  {
+                      const Place place = placeOf(neighbour);
+                      const Square& square = squares_[slots_[place.square]];
+                      const int bit = SQUARE * place.row + place.column;
+                      CV_DbgAssert(square.counted >> bit & 1);
+                      const Candidate other = {square.votes[bit], neighbour.s, neighbour.e};
+                      if (isStronger(other, best))
+                          best = other;
+                  });
     return best;
+}
+
+Candidate VoteSquares::strongestAround(Chord chord, int radius) const
+{
+    const Position middle = positionOf(chord);
+    if (!isInside(middle, radius))
+        return strongestAcrossCorners(chord, radius);
+    Strongest strongest;
+    const int firstU = middle.u - radius, firstW = middle.w - radius;
+    forEachPart(middle, radius,
+                [&](int runS, int runE, int top, int bottom, int left, int right)
+                {
+                    const Square& square =
+                        squares_[slots_[squareOf(middle.sideS, middle.sideE, runS, runE)]];
+                    CV_DbgAssert(!(~square.counted & rowsFrom(top, bottom) &
+                                   columnsFrom(left, right)));
+                    const int row = SQUARE * runS - firstU, column = SQUARE * runE - firstW;
+                    for (int i = top; i <= bottom; ++i)
+                        strongest.addRow(square.votes + SQUARE * i, left, right,
+                                         SIDE * (row + i) + column);
+                });
+    int votes, place;
+    strongest.get(votes, place);
+    const Candidate result = {votes, chord.s - radius + place / SIDE,
+                              chord.e - radius + place % SIDE};
+    return result;
 }
 
 } // namespace linespace

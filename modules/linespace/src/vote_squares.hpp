@@ -37,7 +37,8 @@ public:
     //! Marks a chord; whether it was not marked before.
     bool mark(Chord chord);
 
-    //! Asks for the votes of all chords (s + i, e + j) of the ring, |i|, |j| <= radius; s < e.
+    //! Marks a chord and asks for the votes of all (s + i, e + j) of the ring, |i|, |j| <= radius;
+    //! s < e. Fast if chords near each other follow one another.
     void want(Chord chord, int radius);
     //! Counts what is wanted, in parallel.
     void countWanted();
@@ -60,17 +61,25 @@ private:
         int row, column;
     };
 
-    //! A neighbourhood by positions on its sides; some may be beyond these.
-    struct Around
+    //! A chord by the positions of its ends on their sides.
+    struct Position
     {
-        int sideS, sideE, firstU, lastU, firstV, lastV;
+        int sideS, sideE, u, w;
     };
 
     Place placeOf(Chord chord) const;
+    //! The index of the square of two runs, counted from the first ones of their sides.
+    size_t squareOf(int sideS, int sideE, int runS, int runE) const
+    {
+        return firstSquares_[sideS][sideE] + (size_t)runS * runs_.rowLength(sideS) + runE;
+    }
     Square& squareAt(size_t index, int s, int e);
     void wantOf(Square& square, uint64 chords);
-    Around around(Chord chord, int radius) const;
-    bool isInside(const Around& around) const;
+    Position positionOf(Chord chord) const;
+    bool isInside(const Position& position, int radius) const;
+    template<class Visit>
+    void forEachPart(const Position& position, int radius, Visit visit) const;
+    Candidate strongestAcrossCorners(Chord chord, int radius) const;
     template<class Visit>
     void forEachOnRing(Chord chord, int radius, Visit visit) const;
 
@@ -81,7 +90,6 @@ private:
         bool mayHavePieces, hasPieces;
         EdgePieces pieces;
         int length, columns; //!< of the sides, and from one to the other
-        size_t firstSquare, rowSquares; //!< index of the first square, and how many a row has
         size_t words;                   //!< of a family
         std::vector<uint64> strips; //!< a bit for each PARALLEL chords of a family, from u = 0 on
     };
@@ -89,7 +97,7 @@ private:
     void resetPair(int side);
     int pairOf(const Square& square) const;
     int familyOf(const Pair& pair, const Square& square) const;
-    void wantStrips(Pair& pair, const Square& square);
+    void wantStrips(Pair& pair, Square& square);
     void countStrips(Pair& pair);
     void takeStrips(Pair& pair, int family, std::vector<int>& starts) const;
     void takeVotes(const Pair& pair, int family, int start, const int* votes);
@@ -98,6 +106,7 @@ private:
     const EdgePlanes* planes_;
     Pair pairs_[2];
     Cell frame_, runs_;      //!< runs_: a cell with a border point for each run
+    size_t firstSquares_[4][4]; //!< index of the first one of two sides
     std::vector<int> slots_; //!< of each square, by chords of runs_; -1: not in use
     std::vector<Square> squares_;
     std::vector<int> wanted_; //!< slots
