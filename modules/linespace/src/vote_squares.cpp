@@ -63,20 +63,36 @@ and below them 31 less the chord's place. Votes are below 2^26: the frame's side
 class Strongest
 {
 public:
-#if LINESPACE_SIMD128
-    Strongest() : low_(v_setzero_s32()), high_(low_) {}
-
-    //! Those from left to right of a row whose first one, in or out, has a place.
-    void addRow(const int* row, int left, int right, int place)
+    /** For rows of two neighbouring squares, or the same one twice: columns left to right, those
+    from SQUARE on in the second one. */
+    Strongest(int left, int right) : left_(left), right_(right)
     {
-        // Windows of 8 of these, from -left on, are the masks.
-        static const int INSIDE[24] = {0, 0, 0, 0, 0, 0, 0, 0, -1, -1, -1, -1,
-                                       -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0};
-        const int *const from = INSIDE + SQUARE - left, *const to = INSIDE + 2 * SQUARE - 1 - right;
-        const v_int32x4 order = v_int32x4(31, 30, 29, 28) - v_setall_s32(place);
-        low_ = v_max(low_, ((v_load(row) << 5) + order) & v_load(from) & v_load(to));
-        high_ = v_max(high_, ((v_load(row + 4) << 5) + order - v_setall_s32(4)) &
-                                 v_load(from + 4) & v_load(to + 4));
+#if !LINESPACE_SIMD128
+        most_ = 0;
+#else
+        low_ = high_ = v_setzero_s32();
+        // 8 of these from SQUARE - left on begin at column left, and so on.
+        static const int EDGE[3 * SQUARE] = {0,  0,  0,  0,  0,  0,  0,  0, -1, -1, -1, -1,
+                                             -1, -1, -1, -1, 0,  0,  0,  0, 0,  0,  0,  0};
+        const int *const from = EDGE + SQUARE - left,
+                         *const to = EDGE + 2 * SQUARE - 1 - std::min(right, SQUARE - 1),
+                         *const beyond = EDGE + 2 * SQUARE - 1 - std::max(right - SQUARE, -1);
+        firstLow_ = v_load(from) & v_load(to);
+        firstHigh_ = v_load(from + 4) & v_load(to + 4);
+        secondLow_ = v_load(beyond);
+#endif
+    }
+
+#if LINESPACE_SIMD128
+    //! A row whose first column, in or out, has a place. (No neighbourhood reaches the second
+    //! square's column 4.)
+    void addRow(const int* first, const int* second, int place)
+    {
+        const v_int32x4 order = v_int32x4(31, 30, 29, 28) - v_setall_s32(place),
+                        next = order - v_setall_s32(4);
+        low_ = v_max(low_, ((v_load(first) << 5) + order) & firstLow_);
+        high_ = v_max(high_, ((v_load(first + 4) << 5) + next) & firstHigh_);
+        low_ = v_max(low_, ((v_load(second) << 5) + next - v_setall_s32(4)) & secondLow_);
     }
     void get(int& votes, int& place) const
     {
@@ -84,23 +100,27 @@ public:
         votes = most >> 5;
         place = 31 - most % 32;
     }
-
-private:
-    v_int32x4 low_, high_;
 #else
-    Strongest() : most_(0) {}
-    void addRow(const int* row, int left, int right, int place)
+    void addRow(const int* first, const int* second, int place)
     {
-        for (int j = left; j <= right; ++j)
-            most_ = std::max(most_, row[j] * 32 + 31 - (place + j));
+        for (int j = left_; j <= right_; ++j)
+        {
+            const int votes = j < SQUARE ? first[j] : second[j - SQUARE];
+            most_ = std::max(most_, votes * 32 + 31 - (place + j));
+        }
     }
     void get(int& votes, int& place) const
     {
         votes = most_ >> 5;
         place = 31 - most_ % 32;
     }
+#endif
 
 private:
+    int left_, right_;
+#if LINESPACE_SIMD128
+    v_int32x4 low_, high_, firstLow_, firstHigh_, secondLow_;
+#else
     int most_;
 #endif
 };
@@ -415,14 +435,42 @@ void VoteSquares::takeVotes(const Pair& pair, int family, int start, const int* 
     }
 }
 
+//! Where some more are counted in the same time, asks for neighbours of what is wanted: the next
+//! step may need them.
+void VoteSquares::fill(Square& square, int together) const
+{
+    int room = 0;
+    for (uint64 left = square.wanted; left != 0; left &= left - 1)
+        --room;
+    const int sideS = frame_.sideOf(square.s), sideE = frame_.sideOf(square.e);
+    const int lastRow = frame_.firstPoint(sideS) + frame_.pointCount(sideS) - 1 - square.s,
+              lastColumn = frame_.firstPoint(sideE) + frame_.pointCount(sideE) - 1 - square.e;
+    uint64 near = square.wanted;
+    for (int distance = 0; distance < 2; ++distance)
+    {
+        near |= near << SQUARE | near >> SQUARE;
+        near |= (near & columnsFrom(0, SQUARE - 2)) << 1 | (near & columnsFrom(1, SQUARE - 1)) >> 1;
+    }
+    near &= ~(square.wanted | square.counted) & rowsFrom(0, std::min(lastRow, SQUARE - 1)) &
+            columnsFrom(0, std::min(lastColumn, SQUARE - 1));
+    for (room = (room % together + together) % together; room > 0 && near != 0; --room)
+    {
+        square.wanted |= near & (~near + 1);
+        near &= near - 1;
+    }
+}
+
 void VoteSquares::countAlone()
 {
     const ChordCounter counter(*planes_);
+    const int together = ChordCounter::together();
     const auto countRange = [&](const Range& range)
     {
         for (int i = range.start; i < range.end; ++i)
         {
             Square& square = squares_[alone_[i]];
+            if (together > 1)
+                fill(square, together);
             const Chord first = {square.s, square.e};
             counter.countSquare(first, square.wanted, square.votes);
         }
@@ -456,23 +504,25 @@ Candidate VoteSquares::strongestAround(Chord chord, int radius) const
     const Position middle = positionOf(chord);
     if (!isInside(middle, radius))
         return strongestAcrossCorners(chord, radius);
-    Strongest strongest;
+    // Up to four squares, all of which are looked at: where a neighbourhood is among them is as
+    // good as random, and wrong guesses of that cost more.
     const int firstU = middle.u - radius, firstW = middle.w - radius;
-    forEachPart(middle, radius,
-                [&](int runS, int runE, int top, int bottom, int left, int right)
-                {
-                    const Square& square =
-                        squares_[slots_[squareOf(middle.sideS, middle.sideE, runS, runE)]];
-                    CV_DbgAssert(!(~square.counted & rowsFrom(top, bottom) &
-                                   columnsFrom(left, right)));
-                    const int row = SQUARE * runS - firstU, column = SQUARE * runE - firstW;
-                    for (int i = top; i <= bottom; ++i)
-                        strongest.addRow(square.votes + SQUARE * i, left, right,
-                                         SIDE * (row + i) + column);
-                });
-    int votes, place;
-    strongest.get(votes, place);
-    const Candidate result = {votes, chord.s - radius + place / SIDE,
+    const int left = firstW % SQUARE, right = left + 2 * radius;
+    const int runS = firstU / SQUARE, runE = firstW / SQUARE;
+    const int lastS = (middle.u + radius) / SQUARE, lastE = (middle.w + radius) / SQUARE;
+    const int* const votes[2][2] = {{votesOf(middle, runS, runE), votesOf(middle, runS, lastE)},
+                                    {votesOf(middle, lastS, runE), votesOf(middle, lastS, lastE)}};
+    Strongest strongest(left, right);
+    for (int i = 0; i <= 2 * radius; ++i)
+    {
+        const int row = firstU % SQUARE + i;
+        const int* const* const pair = votes[row / SQUARE];
+        const int offset = SQUARE * (row % SQUARE);
+        strongest.addRow(pair[0] + offset, pair[1] + offset, SIDE * i - left);
+    }
+    int most, place;
+    strongest.get(most, place);
+    const Candidate result = {most, chord.s - radius + place / SIDE,
                               chord.e - radius + place % SIDE};
     return result;
 }

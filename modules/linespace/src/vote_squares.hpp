@@ -79,6 +79,11 @@ private:
     bool isInside(const Position& position, int radius) const;
     template<class Visit>
     void forEachPart(const Position& position, int radius, Visit visit) const;
+    //! The votes of a square of the same sides as a chord.
+    const int* votesOf(const Position& position, int runS, int runE) const
+    {
+        return squares_[slots_[squareOf(position.sideS, position.sideE, runS, runE)]].votes;
+    }
     Candidate strongestAcrossCorners(Chord chord, int radius) const;
     template<class Visit>
     void forEachOnRing(Chord chord, int radius, Visit visit) const;
@@ -102,6 +107,7 @@ private:
     void takeStrips(Pair& pair, int family, std::vector<int>& starts) const;
     void takeVotes(const Pair& pair, int family, int start, const int* votes);
     void countAlone();
+    void fill(Square& square, int together) const;
 
     const EdgePlanes* planes_;
     Pair pairs_[2];
