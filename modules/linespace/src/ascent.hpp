@@ -20,14 +20,15 @@ enum
 /** Moves candidates to maxima of the exact votes: to the strongest chord in the total order of the
 (2 radius + 1)^2 ring neighbourhood, and so on until none is stronger.
 @param radius 1 to MAX_ASCENT_RADIUS.
-@param squares of the frame, reset.
+@param squares of the frame's planes, reset.
 @param candidates with any votes; on return, in the total order, the maxima that they came to, each
 once, with exact votes. */
-void climbToMaxima(const ChordCounter& counter, const Cell& frame, int radius, VoteSquares& squares,
+void climbToMaxima(const Cell& frame, int radius, VoteSquares& squares,
                    std::vector<Candidate>& candidates);
 
-//! Bytes that this takes for so many candidates, 0: for any number, but for the candidates.
-double ascentMemory(const Cell& frame, double candidates);
+//! Bytes that this takes for so many candidates, 0: for any number, but for the candidates; of a
+//! plain map, without weights and directions, or of others.
+double ascentMemory(const Cell& frame, bool isPlain, double candidates);
 
 } // namespace linespace
 } // namespace cv

@@ -34,6 +34,8 @@ public:
     of `first`, s < e. With AVX2, for chords of up to 8192 pixels, 32 take a little more than the
     time of one; else those of each diagonal that are between opposite sides. */
     void countSquare(Chord first, uint64 wanted, int* votes) const;
+    //! How many of a square take the time of one, however they lie.
+    static int together();
 
 private:
     void countDiagonals(Chord first, uint64 wanted, int* votes) const;

@@ -238,18 +238,17 @@ void countLanesOf(const ChordLanes& lanes, const LaneMap& map, int* votes)
             base = now;
             __m256i restA = toShorts(fraction[0], fraction[1]),
                     restB = toShorts(fraction[2], fraction[3]);
-            ptrdiff_t window = column * map.stride + base;
-            const int count = std::min(run, map.columns - column);
-            for (int i = 0; i < count; ++i, window += step)
+            const auto nextColumn = [&](ptrdiff_t at)
             {
+
                 if (!IsOriented)
-                    sums.add(lookUp(values + window, pixel));
+                    sums.add(lookUp(values + at, pixel));
                 else
                 {
-                    const __m256i own = _mm256_and_si256(lookUp(bits + window, pixel), bit);
+                    const __m256i own = _mm256_and_si256(lookUp(bits + at, pixel), bit);
                     const __m256i voting = _mm256_min_epu8(own, unit);
                     sums.add(IsWeighted
-                                 ? _mm256_and_si256(lookUp(values + window, pixel),
+                                 ? _mm256_and_si256(lookUp(values + at, pixel),
                                                     _mm256_sub_epi8(_mm256_setzero_si256(), voting))
                                  : voting);
                 }
@@ -260,7 +259,15 @@ void countLanesOf(const ChordLanes& lanes, const LaneMap& map, int* votes)
                                                                   _mm256_cmpgt_epi16(restB, nextB)));
                 restA = nextA;
                 restB = nextB;
-            }
+            };
+            ptrdiff_t window = column * map.stride + base;
+            const int count = std::min(run, map.columns - column);
+            if (count == LaneMap::RUN) // without a test in each column
+                for (int i = 0; i < LaneMap::RUN; ++i, window += step)
+                    nextColumn(window);
+            else
+                for (int i = 0; i < count; ++i, window += step)
+                    nextColumn(window);
             base += drift * count;
             position += count * advance;
             for (int k = 0; k < 4; ++k)

@@ -66,14 +66,19 @@ public:
 
     void count(uint64 wanted)
     {
+        const bool isUniform = isOneBin_ && areAlike();
         for (; wanted != 0; wanted &= wanted - 1)
         {
             const int place = lowestBit(wanted), i = place / SQUARE, j = place % SQUARE;
             const LaneLine line = isReversed_ ? lineOf(j, i) : lineOf(i, j);
+            if (isUniform)
+            {
+                add(line, place, bin_);
+                continue;
+            }
             const Chord chord = {first_.s + i, first_.e + j};
             if (fits(guide_) && fits(line))
-                add(line, place,
-                    isOneBin_ ? bin_ : directionBin(planes_.frame(), chord));
+                add(line, place, isOneBin_ ? bin_ : directionBin(planes_.frame(), chord));
             else
                 votes_[place] = counter_.votes(chord);
         }
@@ -89,7 +94,13 @@ private:
         ChordLanes lanes;
         uchar places[ChordLanes::COUNT];
         int firstColumn, lastColumn;
-        Group() : firstColumn(INT_MAX), lastColumn(-1) {}
+        Group() { clear(); }
+        void clear()
+        {
+            lanes.count = 0;
+            firstColumn = INT_MAX;
+            lastColumn = -1;
+        }
     };
 
     static int lowestBit(uint64 bits)
@@ -116,6 +127,19 @@ private:
                 return false;
         }
         return true;
+    }
+
+    //! Whether all chords fit and fall, or none: dx and dy are largest and least at the corners.
+    bool areAlike() const
+    {
+        bool result = fits(guide_);
+        for (int corner = 0; corner < 4; ++corner)
+        {
+            const LaneLine line =
+                lineOf(corner & 1 ? SQUARE - 1 : 0, corner & 2 ? SQUARE - 1 : 0);
+            result = result && fits(line) && (line.dy < 0) == (guide_.dy < 0);
+        }
+        return result;
     }
 
     LaneLine lineOf(int beginIndex, int endIndex) const
@@ -169,7 +193,7 @@ private:
         countChordLanes(lanes, map, sums);
         for (int k = 0; k < count; ++k)
             votes_[group.places[k]] = sums[k];
-        group = Group();
+        group.clear();
     }
 
     const ChordCounter& counter_;
@@ -191,6 +215,11 @@ void ChordCounter::countSquare(Chord first, uint64 wanted, int* votes) const
         SquareLanes(*this, planes_, first, votes).count(wanted);
     else
         countDiagonals(first, wanted, votes);
+}
+
+int ChordCounter::together()
+{
+    return hasChordLanes() ? (int)ChordLanes::COUNT : 1;
 }
 
 void ChordCounter::countDiagonals(Chord first, uint64 wanted, int* votes) const

@@ -270,9 +270,15 @@ private:
         const int base = prunes() ? BundleSearch::baseLevel(plan, parameters_.edgeWeights) : -1;
         return copies * EdgePlanes::memory(plan.frame(), parameters_.edgeWeights, oriented) +
                (ascentRadius() > 0
+<<<<<<< HEAD
                     ? ascentMemory(plan.frame(), parameters_.maxLines > 0 ? poolSize() : 0)
                     : 0) +
                (base >= 0 ? BundleSearch::memory(plan, base) : 0);
+=======
+                    ? ascentMemory(plan.frame(), !oriented && !parameters_.edgeWeights,
+                                   parameters_.maxLines > 0 ? poolSize() : 0)
+                    : 0);
+>>>>>>> work-ascent
     }
 
     //! Candidates that are counted exactly.
@@ -587,9 +593,8 @@ private:
     {
         if (ascentRadius() > 0)
         {
-            const ChordCounter counter(planes_);
-            squares_.reset(plan.frame());
-            climbToMaxima(counter, plan.frame(), ascentRadius(), squares_, candidates);
+            squares_.reset(planes_);
+            climbToMaxima(plan.frame(), ascentRadius(), squares_, candidates);
             return;
         }
         std::vector<Chord> chords(candidates.size());

@@ -4,17 +4,29 @@
 
 #include "vote_squares.hpp"
 
+#include "vectors.hpp"
+
 namespace cv {
 namespace linespace {
 
 namespace {
 
 const int SQUARE = VoteSquares::SQUARE;
+const int PARALLEL = EdgePieces::PARALLEL;
+// Opposite sides are worth their pieces from so many squares on; these take what some tens take.
+const size_t LEAST_SQUARES = 64;
+static_assert(PARALLEL % SQUARE == 0, "a strip is of whole runs");
 static_assert(SQUARE == 8, "a square's chords are the bits of 64");
 
 Cell runsOf(const Cell& frame)
 {
     return Cell((frame.width + SQUARE - 1) / SQUARE, (frame.height + SQUARE - 1) / SQUARE);
+}
+
+//! Words with a bit for each strip of a family, of a side's length at most.
+size_t wordsOf(int length)
+{
+    return ((size_t)length + 64 * PARALLEL - 1) / (64 * PARALLEL);
 }
 
 //! The rows, or columns, of a square from one to another.
@@ -27,18 +39,103 @@ inline uint64 columnsFrom(int first, int last)
     return (uint64)(0xff << first & 0xff >> (SQUARE - 1 - last)) * 0x0101010101010101;
 }
 
-//! The part of positions first to last that is in the k-th run.
-inline void clipToRun(int k, int& first, int& last)
+const int DIAGONALS = 2 * SQUARE - 1;
+
+//! The chords (i, k - i) of a square, which are parallel between opposite sides.
+inline uint64 diagonal(int k)
 {
-    first = std::max(first - SQUARE * k, 0);
-    last = std::min(last - SQUARE * k, SQUARE - 1);
+    // The longest one, shifted by as many columns, without what leaves the square.
+    const uint64 longest = 0x0102040810204080;
+    return k < SQUARE ? longest >> SQUARE * (SQUARE - 1 - k) : longest << SQUARE * (k - SQUARE + 1);
 }
+
+inline int lowestBit(uint64 bits)
+{
+    const unsigned low = (unsigned)bits;
+    return (int)(low != 0 ? trailingZeros32(low) : 32 + trailingZeros32((unsigned)(bits >> 32)));
+}
+
+const int SIDE = 5; // of the largest neighbourhood
+
+/** The first of the chords with the most votes, by numbers that have the votes in their high bits,
+and below them 31 less the chord's place. Votes are below 2^26: the frame's sides would have to be
+263,173 pixels for more, 255 each, and the table of votes 2^36 entries. */
+class Strongest
+{
+public:
+    /** For rows of two neighbouring squares, or the same one twice: columns left to right, those
+    from SQUARE on in the second one. */
+    Strongest(int left, int right) : left_(left), right_(right)
+    {
+#if !LINESPACE_SIMD128
+        most_ = 0;
+#else
+        low_ = high_ = v_setzero_s32();
+        // 8 of these from SQUARE - left on begin at column left, and so on.
+        static const int EDGE[3 * SQUARE] = {0,  0,  0,  0,  0,  0,  0,  0, -1, -1, -1, -1,
+                                             -1, -1, -1, -1, 0,  0,  0,  0, 0,  0,  0,  0};
+        const int *const from = EDGE + SQUARE - left,
+                         *const to = EDGE + 2 * SQUARE - 1 - std::min(right, SQUARE - 1),
+                         *const beyond = EDGE + 2 * SQUARE - 1 - std::max(right - SQUARE, -1);
+        firstLow_ = v_load(from) & v_load(to);
+        firstHigh_ = v_load(from + 4) & v_load(to + 4);
+        secondLow_ = v_load(beyond);
+#endif
+    }
+
+#if LINESPACE_SIMD128
+    //! A row whose first column, in or out, has a place. (No neighbourhood reaches the second
+    //! square's column 4.)
+    void addRow(const int* first, const int* second, int place)
+    {
+        const v_int32x4 order = v_int32x4(31, 30, 29, 28) - v_setall_s32(place),
+                        next = order - v_setall_s32(4);
+        low_ = v_max(low_, ((v_load(first) << 5) + order) & firstLow_);
+        high_ = v_max(high_, ((v_load(first + 4) << 5) + next) & firstHigh_);
+        low_ = v_max(low_, ((v_load(second) << 5) + next - v_setall_s32(4)) & secondLow_);
+    }
+    void get(int& votes, int& place) const
+    {
+        const int most = v_reduce_max(v_max(low_, high_));
+        votes = most >> 5;
+        place = 31 - most % 32;
+    }
+#else
+    void addRow(const int* first, const int* second, int place)
+    {
+        for (int j = left_; j <= right_; ++j)
+        {
+            const int votes = j < SQUARE ? first[j] : second[j - SQUARE];
+            most_ = std::max(most_, votes * 32 + 31 - (place + j));
+        }
+    }
+    void get(int& votes, int& place) const
+    {
+        votes = most_ >> 5;
+        place = 31 - most_ % 32;
+    }
+#endif
+
+private:
+    int left_, right_;
+#if LINESPACE_SIMD128
+    v_int32x4 low_, high_, firstLow_, firstHigh_, secondLow_;
+#else
+    int most_;
+#endif
+};
 
 } // namespace
 
-double VoteSquares::memory(const Cell& frame)
+double VoteSquares::memory(const Cell& frame, bool hasPieces)
 {
-    return (double)runsOf(frame).chordCount() * sizeof(int);
+    double bytes = (double)runsOf(frame).chordCount() * sizeof(int);
+    if (hasPieces)
+        for (int pair = 0; pair < 2; ++pair)
+            bytes += EdgePieces::memory(frame, pair == 0) +
+                     (2. * frame.pointCount(pair) - 1) * wordsOf(frame.pointCount(pair)) *
+                         sizeof(uint64);
+    return bytes;
 }
 
 double VoteSquares::squareMemory(const Cell& frame, double squares)
@@ -53,24 +150,54 @@ void VoteSquares::clear()
     std::vector<int>().swap(slots_);
     std::vector<Square>().swap(squares_);
     std::vector<int>().swap(wanted_);
+    std::vector<int>().swap(alone_);
+    for (int i = 0; i < 2; ++i)
+    {
+        pairs_[i].pieces.clear();
+        std::vector<uint64>().swap(pairs_[i].strips);
+    }
 }
 
-void VoteSquares::reset(const Cell& frame)
+void VoteSquares::reset(const EdgePlanes& planes)
 {
-    frame_ = frame;
-    runs_ = runsOf(frame);
+    planes_ = &planes;
+    frame_ = planes.frame();
+    runs_ = runsOf(frame_);
     slots_.assign(runs_.chordCount(), -1);
     squares_.clear();
     wanted_.clear();
+    for (int s = SIDE_TOP; s < SIDE_LEFT; ++s)
+        for (int e = s + 1; e <= SIDE_LEFT; ++e)
+            firstSquares_[s][e] = runs_.chordIndex(runs_.firstPoint(s), runs_.firstPoint(e));
+    resetPair(SIDE_TOP);
+    resetPair(SIDE_RIGHT);
+}
+
+void VoteSquares::resetPair(int side)
+{
+    Pair& pair = pairs_[side];
+    pair.mayHavePieces = EdgePieces::suits(*planes_, side == SIDE_TOP);
+    pair.hasPieces = false;
+    pair.length = frame_.pointCount(side);
+    pair.columns = frame_.pointCount(1 - side);
+    pair.words = wordsOf(pair.length);
+    pair.strips.assign(pair.mayHavePieces ? (2 * (size_t)pair.length - 1) * pair.words : 0, 0);
+}
+
+VoteSquares::Position VoteSquares::positionOf(Chord chord) const
+{
+    const int sideS = frame_.sideOf(chord.s), sideE = frame_.sideOf(chord.e);
+    const Position position = {sideS, sideE, chord.s - frame_.firstPoint(sideS),
+                               chord.e - frame_.firstPoint(sideE)};
+    return position;
 }
 
 VoteSquares::Place VoteSquares::placeOf(Chord chord) const
 {
-    const int sideS = frame_.sideOf(chord.s), sideE = frame_.sideOf(chord.e);
-    const int u = chord.s - frame_.firstPoint(sideS), v = chord.e - frame_.firstPoint(sideE);
-    const Place place = {runs_.chordIndex(runs_.firstPoint(sideS) + u / SQUARE,
-                                          runs_.firstPoint(sideE) + v / SQUARE),
-                         u % SQUARE, v % SQUARE};
+    const Position position = positionOf(chord);
+    const Place place = {squareOf(position.sideS, position.sideE, position.u / SQUARE,
+                                  position.w / SQUARE),
+                         position.u % SQUARE, position.w % SQUARE};
     return place;
 }
 
@@ -105,22 +232,28 @@ void VoteSquares::wantOf(Square& square, uint64 chords)
     square.wanted |= chords;
 }
 
-VoteSquares::Around VoteSquares::around(Chord chord, int radius) const
+//! Whether a neighbourhood keeps to the sides of its middle.
+bool VoteSquares::isInside(const Position& position, int radius) const
 {
-    const int sideS = frame_.sideOf(chord.s), sideE = frame_.sideOf(chord.e);
-    const int u = chord.s - frame_.firstPoint(sideS), v = chord.e - frame_.firstPoint(sideE);
-    const Around result = {sideS, sideE, u - radius, u + radius, v - radius, v + radius};
-    return result;
+    return std::min(position.u, position.w) >= radius &&
+           position.u + radius < frame_.pointCount(position.sideS) &&
+           position.w + radius < frame_.pointCount(position.sideE);
 }
 
-bool VoteSquares::isInside(const Around& around) const
+/** Calls visit(runS, runE, top, bottom, left, right) for the squares that a neighbourhood inside its
+sides meets, and which rows and columns of them. */
+template<class Visit>
+inline void VoteSquares::forEachPart(const Position& position, int radius, Visit visit) const
 {
-    return std::min(around.firstU, around.firstV) >= 0 &&
-           around.lastU < frame_.pointCount(around.sideS) &&
-           around.lastV < frame_.pointCount(around.sideE);
+    const int firstU = position.u - radius, lastU = position.u + radius;
+    const int firstW = position.w - radius, lastW = position.w + radius;
+    for (int k = firstU / SQUARE; k <= lastU / SQUARE; ++k)
+        for (int l = firstW / SQUARE; l <= lastW / SQUARE; ++l)
+            visit(k, l, std::max(firstU - SQUARE * k, 0), std::min(lastU - SQUARE * k, SQUARE - 1),
+                  std::max(firstW - SQUARE * l, 0), std::min(lastW - SQUARE * l, SQUARE - 1));
 }
 
-//! Calls visit(p, q), in either order, for the chords of a neighbourhood across corners.
+//! Calls visit(chord) for those of a neighbourhood across corners.
 template<class Visit>
 void VoteSquares::forEachOnRing(Chord chord, int radius, Visit visit) const
 {
@@ -137,9 +270,10 @@ void VoteSquares::forEachOnRing(Chord chord, int radius, Visit visit) const
 
 void VoteSquares::want(Chord chord, int radius)
 {
-    const Around own = around(chord, radius);
-    if (!isInside(own))
+    const Position middle = positionOf(chord);
+    if (!isInside(middle, radius))
     {
+        mark(chord);
         forEachOnRing(chord, radius,
                       [this](Chord neighbour)
                       {
@@ -150,86 +284,247 @@ void VoteSquares::want(Chord chord, int radius)
                       });
         return;
     }
-    const int runS = runs_.firstPoint(own.sideS), runE = runs_.firstPoint(own.sideE);
-    const int firstS = frame_.firstPoint(own.sideS), firstE = frame_.firstPoint(own.sideE);
-    for (int k = own.firstU / SQUARE; k <= own.lastU / SQUARE; ++k)
-        for (int l = own.firstV / SQUARE; l <= own.lastV / SQUARE; ++l)
+    forEachPart(middle, radius,
+                [&](int runS, int runE, int top, int bottom, int left, int right)
+                {
+                    const int row = middle.u - SQUARE * runS, column = middle.w - SQUARE * runE;
+                    Square& square =
+                        squareAt(squareOf(middle.sideS, middle.sideE, runS, runE),
+                                 chord.s - row, chord.e - column);
+                    wantOf(square, rowsFrom(top, bottom) & columnsFrom(left, right));
+                    if ((unsigned)row < (unsigned)SQUARE && (unsigned)column < (unsigned)SQUARE)
+                        square.marked |= (uint64)1 << (SQUARE * row + column);
+                });
+}
+
+void VoteSquares::countWanted()
+{
+    size_t counts[2] = {0, 0};
+    for (size_t i = 0; i < wanted_.size(); ++i)
+    {
+        const int pair = pairOf(squares_[wanted_[i]]);
+        if (pair >= 0)
+            ++counts[pair];
+    }
+    for (int i = 0; i < 2; ++i)
+        if (pairs_[i].mayHavePieces && !pairs_[i].hasPieces && counts[i] >= LEAST_SQUARES)
         {
-            int top = own.firstU, bottom = own.lastU, left = own.firstV, right = own.lastV;
-            clipToRun(k, top, bottom);
-            clipToRun(l, left, right);
-            wantOf(squareAt(runs_.chordIndex(runS + k, runE + l), firstS + SQUARE * k,
-                            firstE + SQUARE * l),
-                   rowsFrom(top, bottom) & columnsFrom(left, right));
+            pairs_[i].pieces.reset(*planes_, i == SIDE_TOP);
+            pairs_[i].hasPieces = true;
+        }
+    alone_.clear();
+    for (size_t i = 0; i < wanted_.size(); ++i)
+    {
+        Square& square = squares_[wanted_[i]];
+        const int pair = pairOf(square);
+        if (pair >= 0 && pairs_[pair].hasPieces)
+            wantStrips(pairs_[pair], square);
+        else
+            alone_.push_back(wanted_[i]);
+    }
+    for (int i = 0; i < 2; ++i)
+        if (counts[i] > 0 && pairs_[i].hasPieces)
+            countStrips(pairs_[i]);
+    countAlone();
+    for (size_t i = 0; i < wanted_.size(); ++i)
+    {
+        Square& square = squares_[wanted_[i]];
+        square.counted |= square.wanted;
+        square.wanted = 0;
+    }
+    wanted_.clear();
+}
+
+//! The family of a square's first chord, u - v; those of the others are higher.
+int VoteSquares::familyOf(const Pair& pair, const Square& square) const
+{
+    const int side = &pair == &pairs_[SIDE_TOP] ? SIDE_TOP : SIDE_RIGHT;
+    return square.s - frame_.firstPoint(side) -
+           (pair.length - 1 - (square.e - frame_.firstPoint(side + 2)));
+}
+
+//! The pair of sides whose pieces a square can be counted with; -1: none.
+int VoteSquares::pairOf(const Square& square) const
+{
+    const int side = frame_.sideOf(square.s);
+    if (side > SIDE_RIGHT || frame_.sideOf(square.e) != side + 2)
+        return -1;
+    // All its chords must be steeper than diagonals.
+    const int family = familyOf(pairs_[side], square);
+    const bool suits = -family < pairs_[side].columns &&
+                       family + DIAGONALS - 1 < pairs_[side].columns;
+    return suits ? side : -1;
+}
+
+void VoteSquares::wantStrips(Pair& pair, Square& square)
+{
+    const int side = &pair == &pairs_[SIDE_TOP] ? SIDE_TOP : SIDE_RIGHT;
+    const int strip = (square.s - frame_.firstPoint(side)) / PARALLEL;
+    const int first = familyOf(pair, square) + pair.length - 1;
+    uint64* const words = pair.strips.data() + strip / 64;
+    for (int k = 0; k < DIAGONALS; ++k)
+        if (square.wanted & diagonal(k))
+        {
+            square.counted |= diagonal(k); // as they are counted together
+            words[(ptrdiff_t)(first + k) * (ptrdiff_t)pair.words] |= (uint64)1 << strip % 64;
         }
 }
 
-void VoteSquares::countWanted(const ChordCounter& counter)
+void VoteSquares::countStrips(Pair& pair)
 {
+    // Families next to each other pass the same pixels, in the cache.
+    const int atOnce = EdgePieces::MOST_FAMILIES, families = 2 * pair.length - 1;
+    const auto countRange = [&](const Range& range)
+    {
+        std::vector<int> starts, votes;
+        for (int i = range.start; i < range.end; ++i)
+        {
+            EdgePieces::Family wanted[atOnce];
+            int count = 0;
+            starts.clear();
+            for (int k = atOnce * i; k < std::min(atOnce * (i + 1), families); ++k)
+            {
+                const size_t before = starts.size();
+                takeStrips(pair, k, starts);
+                wanted[count].difference = k - (pair.length - 1);
+                wanted[count].strips = (int)(starts.size() - before);
+                count += wanted[count].strips > 0;
+            }
+            votes.resize(starts.size() * PARALLEL);
+            pair.pieces.count(wanted, count, starts.data(), votes.data());
+            for (int k = 0, strip = 0; k < count; ++k)
+                for (const int end = strip + wanted[k].strips; strip < end; ++strip)
+                    takeVotes(pair, wanted[k].difference, starts[strip],
+                              &votes[strip * PARALLEL]);
+        }
+    };
+    parallel_for_(Range(0, (families + atOnce - 1) / atOnce), countRange,
+                  8 * std::max(1, getNumThreads()));
+}
+
+//! Where the wanted strips of a family begin; they are not wanted any more.
+void VoteSquares::takeStrips(Pair& pair, int family, std::vector<int>& starts) const
+{
+    uint64* const words = &pair.strips[(size_t)family * pair.words];
+    for (size_t i = 0; i < pair.words; ++i)
+    {
+        for (uint64 left = words[i]; left != 0; left &= left - 1)
+            starts.push_back((int)(64 * i + lowestBit(left)) * PARALLEL);
+        words[i] = 0;
+    }
+}
+
+//! Hands the votes of a strip to the squares there are.
+void VoteSquares::takeVotes(const Pair& pair, int family, int start, const int* votes)
+{
+    const int side = &pair == &pairs_[SIDE_TOP] ? SIDE_TOP : SIDE_RIGHT;
+    const int end = std::min(start + PARALLEL, pair.length + std::min(0, family));
+    for (int u = std::max(start, family); u < end;)
+    {
+        // In a square, the next chord is a row below and a column before.
+        const int w = pair.length - 1 - (u - family), row = u % SQUARE, column = w % SQUARE;
+        const int count = std::min(std::min(SQUARE - row, column + 1), end - u);
+        const int slot = slots_[squareOf(side, side + 2, u / SQUARE, w / SQUARE)];
+        if (slot >= 0)
+        {
+            int* const own = squares_[slot].votes + SQUARE * row + column;
+            for (int i = 0; i < count; ++i)
+                own[(SQUARE - 1) * i] = votes[u - start + i];
+        }
+        u += count;
+    }
+}
+
+//! Where some more are counted in the same time, asks for neighbours of what is wanted: the next
+//! step may need them.
+void VoteSquares::fill(Square& square, int together) const
+{
+    int room = 0;
+    for (uint64 left = square.wanted; left != 0; left &= left - 1)
+        --room;
+    const int sideS = frame_.sideOf(square.s), sideE = frame_.sideOf(square.e);
+    const int lastRow = frame_.firstPoint(sideS) + frame_.pointCount(sideS) - 1 - square.s,
+              lastColumn = frame_.firstPoint(sideE) + frame_.pointCount(sideE) - 1 - square.e;
+    uint64 near = square.wanted;
+    for (int distance = 0; distance < 2; ++distance)
+    {
+        near |= near << SQUARE | near >> SQUARE;
+        near |= (near & columnsFrom(0, SQUARE - 2)) << 1 | (near & columnsFrom(1, SQUARE - 1)) >> 1;
+    }
+    near &= ~(square.wanted | square.counted) & rowsFrom(0, std::min(lastRow, SQUARE - 1)) &
+            columnsFrom(0, std::min(lastColumn, SQUARE - 1));
+    for (room = (room % together + together) % together; room > 0 && near != 0; --room)
+    {
+        square.wanted |= near & (~near + 1);
+        near &= near - 1;
+    }
+}
+
+void VoteSquares::countAlone()
+{
+    const ChordCounter counter(*planes_);
+    const int together = ChordCounter::together();
     const auto countRange = [&](const Range& range)
     {
         for (int i = range.start; i < range.end; ++i)
         {
-            Square& square = squares_[wanted_[i]];
+            Square& square = squares_[alone_[i]];
+            if (together > 1)
+                fill(square, together);
             const Chord first = {square.s, square.e};
             counter.countSquare(first, square.wanted, square.votes);
-            square.counted |= square.wanted;
-            square.wanted = 0;
         }
     };
-    const Range all(0, (int)wanted_.size());
+    const Range all(0, (int)alone_.size());
     if (all.end < 8) // not worth waking up other threads
         countRange(all);
     else
         parallel_for_(all, countRange, 8 * std::max(1, getNumThreads()));
-    wanted_.clear();
+}
+
+Candidate VoteSquares::strongestAcrossCorners(Chord chord, int radius) const
+{
+    Candidate best = {-1, 0, 0};
+    forEachOnRing(chord, radius,
+                  [&](Chord neighbour)
+                  {
+                      const Place place = placeOf(neighbour);
+                      const Square& square = squares_[slots_[place.square]];
+                      const int bit = SQUARE * place.row + place.column;
+                      CV_DbgAssert(square.counted >> bit & 1);
+                      const Candidate other = {square.votes[bit], neighbour.s, neighbour.e};
+                      if (isStronger(other, best))
+                          best = other;
+                  });
+    return best;
 }
 
 Candidate VoteSquares::strongestAround(Chord chord, int radius) const
 {
-    Candidate best = {-1, 0, 0};
-    const Around own = around(chord, radius);
-    if (!isInside(own))
+    const Position middle = positionOf(chord);
+    if (!isInside(middle, radius))
+        return strongestAcrossCorners(chord, radius);
+    // Up to four squares, all of which are looked at: where a neighbourhood is among them is as
+    // good as random, and wrong guesses of that cost more.
+    const int firstU = middle.u - radius, firstW = middle.w - radius;
+    const int left = firstW % SQUARE, right = left + 2 * radius;
+    const int runS = firstU / SQUARE, runE = firstW / SQUARE;
+    const int lastS = (middle.u + radius) / SQUARE, lastE = (middle.w + radius) / SQUARE;
+    const int* const votes[2][2] = {{votesOf(middle, runS, runE), votesOf(middle, runS, lastE)},
+                                    {votesOf(middle, lastS, runE), votesOf(middle, lastS, lastE)}};
+    Strongest strongest(left, right);
+    for (int i = 0; i <= 2 * radius; ++i)
     {
-        forEachOnRing(chord, radius,
-                      [&](Chord neighbour)
-                      {
-                          const Place place = placeOf(neighbour);
-                          const Square& square = squares_[slots_[place.square]];
-                          const int bit = SQUARE * place.row + place.column;
-                          CV_DbgAssert(square.counted >> bit & 1);
-                          const Candidate other = {square.votes[bit], neighbour.s, neighbour.e};
-                          if (isStronger(other, best))
-                              best = other;
-                      });
-        return best;
+        const int row = firstU % SQUARE + i;
+        const int* const* const pair = votes[row / SQUARE];
+        const int offset = SQUARE * (row % SQUARE);
+        strongest.addRow(pair[0] + offset, pair[1] + offset, SIDE * i - left);
     }
-    // Votes, and below them what orders equal ones: the first one has the most.
-    int64 strongest = -1;
-    const int side = 2 * radius + 1;
-    const int runS = runs_.firstPoint(own.sideS), runE = runs_.firstPoint(own.sideE);
-    for (int k = own.firstU / SQUARE; k <= own.lastU / SQUARE; ++k)
-        for (int l = own.firstV / SQUARE; l <= own.lastV / SQUARE; ++l)
-        {
-            int top = own.firstU, bottom = own.lastU, left = own.firstV, right = own.lastV;
-            clipToRun(k, top, bottom);
-            clipToRun(l, left, right);
-            const Square& square = squares_[slots_[runs_.chordIndex(runS + k, runE + l)]];
-            for (int i = top; i <= bottom; ++i)
-                for (int j = left; j <= right; ++j)
-                {
-                    CV_DbgAssert(square.counted >> (SQUARE * i + j) & 1);
-                    const int row = SQUARE * k + i - own.firstU,
-                              column = SQUARE * l + j - own.firstV;
-                    strongest = std::max(strongest, (int64)square.votes[SQUARE * i + j] * 32 + 31 -
-                                                        (row * side + column));
-                }
-        }
-    const int place = 31 - (int)(strongest % 32);
-    best.votes = (int)(strongest / 32);
-    best.s = chord.s - radius + place / side;
-    best.e = chord.e - radius + place % side;
-    return best;
+    int most, place;
+    strongest.get(most, place);
+    const Candidate result = {most, chord.s - radius + place / SIDE,
+                              chord.e - radius + place % SIDE};
+    return result;
 }
 
 } // namespace linespace
