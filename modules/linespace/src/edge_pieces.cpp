@@ -199,30 +199,49 @@ EdgePieces::Walk EdgePieces::walkOf(int difference) const
 
 namespace {
 
-inline void addBytes(const v_uint8x16& sums, int* votes)
+inline void addBytes(const v_uint8x16& even, const v_uint8x16& odd, int* votes)
 {
-    v_uint16x8 low, high;
-    v_expand(sums, low, high);
+    v_uint16x8 low[2], high[2];
+    v_expand(even, low[0], high[0]);
+    v_expand(odd, low[1], high[1]);
     v_uint32x4 quarters[4];
-    v_expand(low, quarters[0], quarters[1]);
-    v_expand(high, quarters[2], quarters[3]);
+    v_expand(low[0] + low[1], quarters[0], quarters[1]);
+    v_expand(high[0] + high[1], quarters[2], quarters[3]);
     for (int i = 0; i < 4; ++i)
         v_store(votes + 4 * i, v_load(votes + 4 * i) + v_reinterpret_as_s32(quarters[i]));
 }
 
-//! Adds what is at the offsets of some groups to the votes of two strips.
-inline void sumStrips(const uchar* first, const uchar* second, const int* offsets, int groups,
-                      int* firstVotes, int* secondVotes)
+const int MOST_GROUPS = 124; // until one of two sums of bytes may be full; a multiple of 4
+
+//! Adds what is at the offsets of some groups to the votes of some strips.
+template<int STRIPS>
+inline void sumStrips(const uchar* sums, const int* starts, const int* offsets, int groups,
+                      int* votes)
 {
-    v_uint8x16 firstSums = v_setzero_u8(), secondSums = firstSums;
-    for (int group = 0; group < groups; ++group)
+    const uchar* own[STRIPS];
+    v_uint8x16 even[STRIPS], odd[STRIPS];
+    for (int i = 0; i < STRIPS; ++i)
     {
-        const ptrdiff_t offset = offsets[group];
-        firstSums = firstSums + v_load(first + offset);
-        secondSums = secondSums + v_load(second + offset);
+        own[i] = sums + starts[i];
+        even[i] = odd[i] = v_setzero_u8();
     }
-    addBytes(firstSums, firstVotes);
-    addBytes(secondSums, secondVotes);
+    int group = 0;
+    for (; group + 4 <= groups; group += 4)
+        for (int k = 0; k < 4; k += 2)
+        {
+            const ptrdiff_t first = offsets[group + k], second = offsets[group + k + 1];
+            for (int i = 0; i < STRIPS; ++i)
+            {
+                even[i] = even[i] + v_load(own[i] + first);
+                odd[i] = odd[i] + v_load(own[i] + second);
+            }
+        }
+    for (; group < groups; ++group)
+        for (int i = 0; i < STRIPS; ++i)
+            (group % 2 ? odd : even)[i] =
+                (group % 2 ? odd : even)[i] + v_load(own[i] + offsets[group]);
+    for (int i = 0; i < STRIPS; ++i)
+        addBytes(even[i], odd[i], votes + i * PARALLEL);
 }
 
 } // namespace
@@ -240,26 +259,23 @@ void EdgePieces::count(const Family* families, int familyCount, const int* start
     }
     std::fill(votes, votes + strips * PARALLEL, 0);
     const int groups = size_.height / LENGTH;
-    const int MOST_GROUPS = 60; // until a byte may be full; a multiple of 4
-    int offsets[MOST_GROUPS];
     // All families for some columns, before the cache has forgotten these.
-    for (int first = 0; first < groups; first += MOST_GROUPS)
+    const int parts = (groups + MOST_GROUPS - 1) / MOST_GROUPS;
+    const int most = ((groups + parts - 1) / parts + 3) / 4 * 4;
+    CV_DbgAssert(most <= MOST_GROUPS);
+    int offsets[MOST_GROUPS];
+    for (int first = 0; first < groups; first += most)
     {
-        const int count = std::min(MOST_GROUPS, groups - first);
+        const int now = std::min(most, groups - first);
         const uchar* const sums = sums_ + first * stride_;
         for (int i = 0, strip = 0; i < familyCount; ++i)
         {
-            walks[i].next(count, stride_, offsets);
+            walks[i].next(now, stride_, offsets);
             const int end = strip + families[i].strips;
-            for (; strip < end; strip += 2)
-            {
-                int unused[PARALLEL];
-                const bool isPair = strip + 1 < end;
-                const int second = isPair ? strip + 1 : strip;
-                sumStrips(sums + starts[strip], sums + starts[second], offsets, count,
-                          votes + strip * PARALLEL, isPair ? votes + second * PARALLEL : unused);
-            }
-            strip = end;
+            for (; strip + 2 <= end; strip += 2)
+                sumStrips<2>(sums, starts + strip, offsets, now, votes + strip * PARALLEL);
+            for (; strip < end; ++strip)
+                sumStrips<1>(sums, starts + strip, offsets, now, votes + strip * PARALLEL);
         }
     }
     for (int i = 0, strip = 0; i < familyCount; ++i)

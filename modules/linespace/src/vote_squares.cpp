@@ -167,8 +167,11 @@ void VoteSquares::reset(const EdgePlanes& planes)
     squares_.clear();
     wanted_.clear();
     for (int s = SIDE_TOP; s < SIDE_LEFT; ++s)
+    {
+        rowLengths_[s] = runs_.rowLength(s);
         for (int e = s + 1; e <= SIDE_LEFT; ++e)
             firstSquares_[s][e] = runs_.chordIndex(runs_.firstPoint(s), runs_.firstPoint(e));
+    }
     resetPair(SIDE_TOP);
     resetPair(SIDE_RIGHT);
 }
@@ -201,17 +204,19 @@ VoteSquares::Place VoteSquares::placeOf(Chord chord) const
     return place;
 }
 
-VoteSquares::Square& VoteSquares::squareAt(size_t index, int s, int e)
+inline VoteSquares::Square& VoteSquares::squareAt(size_t index, int s, int e)
 {
-    int& slot = slots_[index];
-    if (slot < 0)
-    {
-        slot = (int)squares_.size();
-        squares_.push_back(Square());
-        squares_.back().s = s;
-        squares_.back().e = e;
-    }
-    return squares_[slot];
+    const int slot = slots_[index];
+    return slot >= 0 ? squares_[slot] : addSquare(index, s, e);
+}
+
+VoteSquares::Square& VoteSquares::addSquare(size_t index, int s, int e)
+{
+    slots_[index] = (int)squares_.size();
+    squares_.push_back(Square());
+    squares_.back().s = s;
+    squares_.back().e = e;
+    return squares_.back();
 }
 
 bool VoteSquares::mark(Chord chord)
@@ -356,6 +361,24 @@ int VoteSquares::pairOf(const Square& square) const
     return suits ? side : -1;
 }
 
+/** Calls visit(square, row, column, u, count) for the parts of a strip in the squares there are: u
+is the first of `count` chords there, each a row below and a column before the last. */
+template<class Visit>
+inline void VoteSquares::forEachPartOfStrip(const Pair& pair, int family, int start, Visit visit)
+{
+    const int side = &pair == &pairs_[SIDE_TOP] ? SIDE_TOP : SIDE_RIGHT;
+    const int end = std::min(start + PARALLEL, pair.length + std::min(0, family));
+    for (int u = std::max(start, family); u < end;)
+    {
+        const int w = pair.length - 1 - (u - family), row = u % SQUARE, column = w % SQUARE;
+        const int count = std::min(std::min(SQUARE - row, column + 1), end - u);
+        const int slot = slots_[squareOf(side, side + 2, u / SQUARE, w / SQUARE)];
+        if (slot >= 0)
+            visit(squares_[slot], row, column, u, count);
+        u += count;
+    }
+}
+
 void VoteSquares::wantStrips(Pair& pair, Square& square)
 {
     const int side = &pair == &pairs_[SIDE_TOP] ? SIDE_TOP : SIDE_RIGHT;
@@ -365,8 +388,13 @@ void VoteSquares::wantStrips(Pair& pair, Square& square)
     for (int k = 0; k < DIAGONALS; ++k)
         if (square.wanted & diagonal(k))
         {
-            square.counted |= diagonal(k); // as they are counted together
-            words[(ptrdiff_t)(first + k) * (ptrdiff_t)pair.words] |= (uint64)1 << strip % 64;
+            uint64& word = words[(ptrdiff_t)(first + k) * (ptrdiff_t)pair.words];
+            const uint64 bit = (uint64)1 << strip % 64;
+            if (!(word & bit))
+                forEachPartOfStrip(pair, first + k - (pair.length - 1), strip * PARALLEL,
+                                   [](Square& part, int row, int column, int, int)
+                                   { part.counted |= diagonal(row + column); });
+            word |= bit;
         }
 }
 
@@ -417,22 +445,13 @@ void VoteSquares::takeStrips(Pair& pair, int family, std::vector<int>& starts) c
 //! Hands the votes of a strip to the squares there are.
 void VoteSquares::takeVotes(const Pair& pair, int family, int start, const int* votes)
 {
-    const int side = &pair == &pairs_[SIDE_TOP] ? SIDE_TOP : SIDE_RIGHT;
-    const int end = std::min(start + PARALLEL, pair.length + std::min(0, family));
-    for (int u = std::max(start, family); u < end;)
-    {
-        // In a square, the next chord is a row below and a column before.
-        const int w = pair.length - 1 - (u - family), row = u % SQUARE, column = w % SQUARE;
-        const int count = std::min(std::min(SQUARE - row, column + 1), end - u);
-        const int slot = slots_[squareOf(side, side + 2, u / SQUARE, w / SQUARE)];
-        if (slot >= 0)
-        {
-            int* const own = squares_[slot].votes + SQUARE * row + column;
-            for (int i = 0; i < count; ++i)
-                own[(SQUARE - 1) * i] = votes[u - start + i];
-        }
-        u += count;
-    }
+    forEachPartOfStrip(pair, family, start,
+                       [=](Square& square, int row, int column, int u, int count)
+                       {
+                           int* const own = square.votes + SQUARE * row + column;
+                           for (int i = 0; i < count; ++i)
+                               own[(SQUARE - 1) * i] = votes[u - start + i];
+                       });
 }
 
 //! Where some more are counted in the same time, asks for neighbours of what is wanted: the next

@@ -71,9 +71,10 @@ private:
     //! The index of the square of two runs, counted from the first ones of their sides.
     size_t squareOf(int sideS, int sideE, int runS, int runE) const
     {
-        return firstSquares_[sideS][sideE] + (size_t)runS * runs_.rowLength(sideS) + runE;
+        return firstSquares_[sideS][sideE] + (size_t)runS * rowLengths_[sideS] + runE;
     }
     Square& squareAt(size_t index, int s, int e);
+    Square& addSquare(size_t index, int s, int e);
     void wantOf(Square& square, uint64 chords);
     Position positionOf(Chord chord) const;
     bool isInside(const Position& position, int radius) const;
@@ -105,6 +106,8 @@ private:
     void wantStrips(Pair& pair, Square& square);
     void countStrips(Pair& pair);
     void takeStrips(Pair& pair, int family, std::vector<int>& starts) const;
+    template<class Visit>
+    void forEachPartOfStrip(const Pair& pair, int family, int start, Visit visit);
     void takeVotes(const Pair& pair, int family, int start, const int* votes);
     void countAlone();
     void fill(Square& square, int together) const;
@@ -112,7 +115,7 @@ private:
     const EdgePlanes* planes_;
     Pair pairs_[2];
     Cell frame_, runs_;      //!< runs_: a cell with a border point for each run
-    size_t firstSquares_[4][4]; //!< index of the first one of two sides
+    size_t firstSquares_[4][4], rowLengths_[4]; //!< index of the first one of two sides; of a row
     std::vector<int> slots_; //!< of each square, by chords of runs_; -1: not in use
     std::vector<Square> squares_;
     std::vector<int> wanted_; //!< slots
