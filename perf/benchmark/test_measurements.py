@@ -16,6 +16,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "common"))
 import measurements  # noqa: E402
 import requirements  # noqa: E402
+import sections  # noqa: E402
 import tables  # noqa: E402
 
 
@@ -65,6 +66,15 @@ class Summary(unittest.TestCase):
     def test_digits(self):
         self.assertEqual([tables.milliseconds(value) for value in (0.123, 12.34, 1234.5, math.nan)],
                          ["0.12", "12.3", "1234", "-"])
+
+
+class Stages(unittest.TestCase):
+    def test_order_over_images_with_more_and_fewer_levels(self):
+        short = ["edge map", "level 0", "level 1", "bounds", "selection"]
+        long = ["edge map", "level 0", "level 1", "level 2", "bounds", "selection"]
+        table = pd.DataFrame([{"stage": stage, "order": order}
+                              for stages in (long, short) for order, stage in enumerate(stages)])
+        self.assertEqual(sections.stages_in_order(table), long)
 
 
 class Requirements(unittest.TestCase):
