@@ -9,6 +9,7 @@ import pathlib
 import sys
 import types
 import unittest
+import warnings
 
 import pandas as pd
 
@@ -90,6 +91,13 @@ class Requirements(unittest.TestCase):
         run = run_of(calls("photographs", {"Line Space": [10]}))
         row = row_of(run, "detect beside FastHoughTransform, 1920")
         self.assertEqual((row.measured, row.holds), (None, None))
+
+    def test_a_run_without_times_has_rows_without_values(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            run = run_of(calls("photographs", {"Line Space": [1]}).iloc[:0])
+            rows = requirements.all_rows(run)
+        self.assertTrue(all(row.holds is None for row in rows[:-1]))
 
     def test_the_worse_threshold_of_the_drop_in_counts(self):
         run = run_of(calls("photographs", {
