@@ -43,7 +43,8 @@ def _read(path):
 def summary(calls):
     """One row for each method and input: how many calls (n), their median and quartiles."""
     if calls.empty:
-        return pd.DataFrame(columns=CALL + ["n", "median", "low", "high", "lines", "density"])
+        return pd.DataFrame(columns=CALL + ["n", "median", "low", "high", "lines", "density"],
+                            dtype=float)
     grouped = calls.groupby(CALL, sort=False)
     times = grouped["milliseconds"].agg(
         n="count", median="median", low=lambda values: values.quantile(0.25),

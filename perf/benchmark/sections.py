@@ -260,11 +260,22 @@ def _write_pruned(report):
     table = Table("stages", "Stages of `detect` as it is by default: size and threads, milliseconds, "
                   "medians over the photographs", ["stage", *columns])
     values = stages.groupby(["stage", "width", "height", "threads"])["median"].median()
-    # A larger image has more levels: the stages in the order of those of the largest one.
-    order = stages.sort_values(["width", "order"], ascending=[False, True])["stage"]
-    for stage in dict.fromkeys(order):
+    for stage in stages_in_order(stages):
         table.add(stage, *(number(values.get((stage, *size), math.nan), 3) for size in sizes))
     report.table(table)
+
+
+def stages_in_order(stages):
+    """The names of the stages of images of any size: an image has more levels than another, and
+    what follows the levels comes later there."""
+    last = stages.groupby("stage")["order"].max()
+
+    def place(stage):
+        level = stage.startswith("level ")
+        after = last[stage] if level or stage == "edge map" else last.max() + last[stage]
+        return int(stage.split()[1]) + 1 if level else after
+
+    return sorted(last.index, key=place)
 
 
 def write_memory(report):

@@ -9,6 +9,7 @@ import pathlib
 import sys
 import types
 import unittest
+import warnings
 
 import pandas as pd
 
@@ -16,6 +17,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "common"))
 import measurements  # noqa: E402
 import requirements  # noqa: E402
+import sections  # noqa: E402
 import tables  # noqa: E402
 
 
@@ -67,6 +69,15 @@ class Summary(unittest.TestCase):
                          ["0.12", "12.3", "1234", "-"])
 
 
+class Stages(unittest.TestCase):
+    def test_order_over_images_with_more_and_fewer_levels(self):
+        short = ["edge map", "level 0", "level 1", "bounds", "selection"]
+        long = ["edge map", "level 0", "level 1", "level 2", "bounds", "selection"]
+        table = pd.DataFrame([{"stage": stage, "order": order}
+                              for stages in (long, short) for order, stage in enumerate(stages)])
+        self.assertEqual(sections.stages_in_order(table), long)
+
+
 class Requirements(unittest.TestCase):
     def test_the_median_photograph_decides_and_the_slowest_must_not_be_slower(self):
         run = run_of(*(calls("photographs", {"Line Space": [10], "HoughLines 1 deg": [peer]}, name)
@@ -80,6 +91,13 @@ class Requirements(unittest.TestCase):
         run = run_of(calls("photographs", {"Line Space": [10]}))
         row = row_of(run, "detect beside FastHoughTransform, 1920")
         self.assertEqual((row.measured, row.holds), (None, None))
+
+    def test_a_run_without_times_has_rows_without_values(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            run = run_of(calls("photographs", {"Line Space": [1]}).iloc[:0])
+            rows = requirements.all_rows(run)
+        self.assertTrue(all(row.holds is None for row in rows[:-1]))
 
     def test_the_worse_threshold_of_the_drop_in_counts(self):
         run = run_of(calls("photographs", {
