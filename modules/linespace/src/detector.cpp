@@ -270,15 +270,10 @@ private:
         const int base = prunes() ? BundleSearch::baseLevel(plan, parameters_.edgeWeights) : -1;
         return copies * EdgePlanes::memory(plan.frame(), parameters_.edgeWeights, oriented) +
                (ascentRadius() > 0
-<<<<<<< HEAD
-                    ? ascentMemory(plan.frame(), parameters_.maxLines > 0 ? poolSize() : 0)
-                    : 0) +
-               (base >= 0 ? BundleSearch::memory(plan, base) : 0);
-=======
                     ? ascentMemory(plan.frame(), !oriented && !parameters_.edgeWeights,
                                    parameters_.maxLines > 0 ? poolSize() : 0)
-                    : 0);
->>>>>>> work-ascent
+                    : 0) +
+               (base >= 0 ? BundleSearch::memory(plan, base) : 0);
     }
 
     //! Candidates that are counted exactly.
