@@ -103,16 +103,27 @@ struct Columns
         const double along = distance / std::abs(minor);
         CV_DbgAssert(2 * along < Support::WINDOW - 1);
         const Range range = within(distance);
-        for (int i = range.start; i < range.end; ++i)
+        // What a column holds is hard to guess: first all are looked at without a branch, in short
+        // runs, then those are visited that hold something.
+        const int RUN = 64;
+        int firsts[RUN], masks[RUN], filled[RUN];
+        for (int start = range.start; start < range.end; start += RUN)
         {
-            const double middle = centre(i);
-            const int first = std::max(0, cvCeil(middle - along)),
-                      last = std::min(limit - 1, cvFloor(middle + along));
-            if (first > last)
-                continue;
-            const int mask = support.at(i, first) & ((2 << (last - first)) - 1);
-            if (mask != 0)
-                visit(i, first, mask);
+            const int count = std::min(RUN, range.end - start);
+            int visits = 0;
+            for (int j = 0; j < count; ++j)
+            {
+                const double middle = centre(start + j);
+                const int first = std::max(0, cvCeil(middle - along)),
+                          last = std::min(limit - 1, cvFloor(middle + along));
+                const int width = std::max(0, last - first + 1);
+                firsts[j] = first;
+                masks[j] = support.at(start + j, std::min(first, limit - 1)) & ((1 << width) - 1);
+                filled[visits] = j;
+                visits += masks[j] != 0;
+            }
+            for (int v = 0; v < visits; ++v)
+                visit(start + filled[v], firsts[filled[v]], masks[filled[v]]);
         }
     }
 };
