@@ -95,6 +95,44 @@ struct Columns
                      (int)std::min(std::max(last + 1, 0.), (double)length));
     }
 
+    enum
+    {
+        RUN = 64 //!< columns that are looked at together, a multiple of 4
+    };
+
+    //! The first pixel of the image within a distance of the line along a column, and how many
+    //! there are, of RUN columns at most; of the rest of four as well.
+    void rowsAround(int start, int count, double along, int* firsts, int* widths) const
+    {
+#if LINESPACE_SIMD128_64F
+        const v_float64x2 rhos = v_setall_f64(rho), majors = v_setall_f64(major),
+                          minors = v_setall_f64(minor), reach = v_setall_f64(along);
+        const v_int32x4 none = v_setzero_s32(), end = v_setall_s32(limit);
+        for (int j = 0; j < count; j += 4)
+        {
+            v_int32x4 first[2], last[2];
+            for (int k = 0; k < 2; ++k)
+            {
+                const v_float64x2 columns(start + j + 2 * k, start + j + 2 * k + 1);
+                const v_float64x2 middle = (rhos - columns * majors) / minors; // as centre()
+                first[k] = v_ceil(middle - reach);
+                last[k] = v_floor(middle + reach);
+            }
+            const v_int32x4 from = v_max(none, v_combine_low(first[0], first[1])),
+                            to = v_min(end, v_combine_low(last[0], last[1]) + v_setall_s32(1));
+            v_store(firsts + j, from);
+            v_store(widths + j, v_max(none, to - from));
+        }
+#else
+        for (int j = 0; j < count; ++j)
+        {
+            const double middle = centre(start + j);
+            firsts[j] = std::max(0, cvCeil(middle - along));
+            widths[j] = std::max(0, std::min(limit, cvFloor(middle + along) + 1) - firsts[j]);
+        }
+#endif
+    }
+
     /** Calls visit(i, k, mask) for the columns with supporting pixels within a distance of the
     line: bit b of the mask is that of pixel k + b of column i. */
     template<class Visit>
@@ -103,16 +141,23 @@ struct Columns
         const double along = distance / std::abs(minor);
         CV_DbgAssert(2 * along < Support::WINDOW - 1);
         const Range range = within(distance);
-        for (int i = range.start; i < range.end; ++i)
+        // What a column holds is hard to guess: first all are looked at without a branch, in short
+        // runs, then those are visited that hold something.
+        int firsts[RUN], widths[RUN], masks[RUN], filled[RUN];
+        for (int start = range.start; start < range.end; start += RUN)
         {
-            const double middle = centre(i);
-            const int first = std::max(0, cvCeil(middle - along)),
-                      last = std::min(limit - 1, cvFloor(middle + along));
-            if (first > last)
-                continue;
-            const int mask = support.at(i, first) & ((2 << (last - first)) - 1);
-            if (mask != 0)
-                visit(i, first, mask);
+            const int count = std::min<int>(RUN, range.end - start);
+            int visits = 0;
+            rowsAround(start, count, along, firsts, widths);
+            for (int j = 0; j < count; ++j)
+            {
+                masks[j] = support.at(start + j, std::min(firsts[j], limit - 1)) &
+                           ((1 << widths[j]) - 1);
+                filled[visits] = j;
+                visits += masks[j] != 0;
+            }
+            for (int v = 0; v < visits; ++v)
+                visit(start + filled[v], firsts[filled[v]], masks[filled[v]]);
         }
     }
 };
