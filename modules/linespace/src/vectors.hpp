@@ -12,6 +12,8 @@
 #include <opencv2/core/version.hpp>
 #if CV_VERSION_MAJOR > 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR >= 11)
 #include <opencv2/core/hal/intrin_legacy_ops.hpp> // operators; older versions have no functions
+#else
+#include "vector_operators.hpp"
 #endif
 
 // Where vectors have no fixed size (RISC-V), or to test what runs there, plain loops.
