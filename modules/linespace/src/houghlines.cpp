@@ -47,9 +47,11 @@ std::vector<GridLine> countedLines(const EdgeMap& edges, const HoughGrid& grid, 
     const int last = plan->levelCount() - 1;
     const EdgePixels pixels(edges);
     VoteTables tables;
-    // To count the few pixels of a sparse map at every angle is cheaper than the last level of the
-    // cascade alone.
-    const bool isSparse = (double)pixels.count() * grid.angles < plan->frame().chordCount();
+    // The time, in that of a pixel at one angle: every pixel at every angle, or the cascade and a look
+    // at its table for every line of the grid (measured on photographs, doc/performance.md).
+    const double chords = (double)plan->frame().chordCount(), angles = grid.angles;
+    const double sides = edges.votes.cols + edges.votes.rows;
+    const bool isSparse = pixels.count() * angles < 7 * chords + 40 * sides * angles;
     const bool hasTable =
         !isSparse && workingMemory(*plan, edges.weighted, false, last) <= MOST_TABLE_BYTES;
     if (hasTable)

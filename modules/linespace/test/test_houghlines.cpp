@@ -218,6 +218,39 @@ TEST_P(Linespace_HoughLines, every_line_of_the_grid_is_represented)
 INSTANTIATE_TEST_CASE_P(/**/, Linespace_HoughLines,
                         testing::Combine(testing::ValuesIn(rhos), testing::ValuesIn(thetas)));
 
+// On a map with so many edge pixels the Line Space tells which lines to count: none is lost.
+TEST(Linespace_HoughLines_Dense, lines_of_a_dense_map)
+{
+    const Mat1b edges = randomEdges(Size(160, 160), 0.85, 3);
+    std::vector<Point> pixels;
+    findNonZero(edges, pixels);
+    const Arguments arguments(1, degree, 150);
+    const Lines lines = houghLines(edges, arguments);
+    checkLines(edges, lines, arguments);
+    int all = 0, represented = 0;
+    for (int j = 0; j < 180; ++j)
+    {
+        std::map<int, int> votes;
+        for (size_t i = 0; i < pixels.size(); ++i)
+            ++votes[cvRound(pixels[i].x * std::cos(j * degree) +
+                            pixels[i].y * std::sin(j * degree))];
+        for (std::map<int, int>::const_iterator it = votes.begin(); it != votes.end(); ++it)
+        {
+            if (it->second <= arguments.threshold + 3)
+                continue;
+            const Vec3f line((float)it->first, (float)(j * degree), (float)it->second);
+            bool isRepresented = false;
+            for (size_t k = 0; k < lines.size() && !isRepresented; ++k)
+                isRepresented =
+                    isSameCell(lines[k], line, arguments, 1 + 1e-4) && lines[k][2] >= line[2] - 3;
+            ++all;
+            represented += isRepresented;
+        }
+    }
+    ASSERT_GT(all, 20);
+    EXPECT_EQ(all, represented);
+}
+
 TEST(Linespace_HoughLines_Arguments, angle_ranges)
 {
     const Mat1b edges = scene(3);
