@@ -151,8 +151,8 @@ struct Columns
             rowsAround(start, count, along, firsts, widths);
             for (int j = 0; j < count; ++j)
             {
-                masks[j] = support.at(start + j, std::min(firsts[j], limit - 1)) &
-                           ((1 << widths[j]) - 1);
+                masks[j] =
+                    support.at(start + j, std::min(firsts[j], limit - 1)) & ((1 << widths[j]) - 1);
                 filled[visits] = j;
                 visits += masks[j] != 0;
             }

@@ -78,8 +78,7 @@ void start(const ChordLanes& lanes, int column, int window, LaneState& state)
         const __m128i slope = _mm_add_epi32(dy, _mm_and_si128(_mm_srai_epi32(dy, 31), dx));
         const __m256d n = _mm256_cvtepi32_pd(numerator), d = _mm256_cvtepi32_pd(dx),
                       reciprocal = _mm256_div_pd(_mm256_set1_pd(1), d);
-        const __m256d quotient =
-            _mm256_floor_pd(_mm256_add_pd(_mm256_mul_pd(n, reciprocal), tie));
+        const __m256d quotient = _mm256_floor_pd(_mm256_add_pd(_mm256_mul_pd(n, reciprocal), tie));
         const __m256d rest = _mm256_sub_pd(n, _mm256_mul_pd(quotient, d));
         const __m256d scale = _mm256_mul_pd(reciprocal, one);
         const __m256d fraction = _mm256_ceil_pd(_mm256_sub_pd(_mm256_mul_pd(rest, scale), tie)),
@@ -240,7 +239,6 @@ void countLanesOf(const ChordLanes& lanes, const LaneMap& map, int* votes)
                     restB = toShorts(fraction[2], fraction[3]);
             const auto nextColumn = [&](ptrdiff_t at)
             {
-
                 if (!IsOriented)
                     sums.add(lookUp(values + at, pixel));
                 else
@@ -255,8 +253,9 @@ void countLanesOf(const ChordLanes& lanes, const LaneMap& map, int* votes)
                 const __m256i nextA = _mm256_add_epi16(restA, stepA),
                               nextB = _mm256_add_epi16(restB, stepB);
                 // -1 where the fraction has passed 1
-                pixel = _mm256_sub_epi8(pixel, _mm256_packs_epi16(_mm256_cmpgt_epi16(restA, nextA),
-                                                                  _mm256_cmpgt_epi16(restB, nextB)));
+                pixel =
+                    _mm256_sub_epi8(pixel, _mm256_packs_epi16(_mm256_cmpgt_epi16(restA, nextA),
+                                                              _mm256_cmpgt_epi16(restB, nextB)));
                 restA = nextA;
                 restB = nextB;
             };

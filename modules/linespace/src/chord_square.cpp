@@ -121,8 +121,8 @@ private:
     {
         for (int corner = 0; corner < 4; ++corner)
         {
-            const Point across = end_.at(corner & 1 ? SQUARE - 1 : 0) -
-                                 begin_.at(corner & 2 ? SQUARE - 1 : 0);
+            const Point across =
+                end_.at(corner & 1 ? SQUARE - 1 : 0) - begin_.at(corner & 2 ? SQUARE - 1 : 0);
             if (directionBin(across.x, across.y) != bin)
                 return false;
         }
@@ -135,8 +135,7 @@ private:
         bool result = fits(guide_);
         for (int corner = 0; corner < 4; ++corner)
         {
-            const LaneLine line =
-                lineOf(corner & 1 ? SQUARE - 1 : 0, corner & 2 ? SQUARE - 1 : 0);
+            const LaneLine line = lineOf(corner & 1 ? SQUARE - 1 : 0, corner & 2 ? SQUARE - 1 : 0);
             result = result && fits(line) && (line.dy < 0) == (guide_.dy < 0);
         }
         return result;
@@ -227,7 +226,8 @@ void ChordCounter::countDiagonals(Chord first, uint64 wanted, int* votes) const
     const bool areParallel = frame_.sideOf(first.e) == frame_.sideOf(first.s) + 2;
     for (int diagonal = 0; diagonal < 2 * SQUARE - 1; ++diagonal)
     {
-        const int begin = std::max(0, diagonal - (SQUARE - 1)), end = std::min(diagonal, SQUARE - 1);
+        const int begin = std::max(0, diagonal - (SQUARE - 1)),
+                  end = std::min(diagonal, SQUARE - 1);
         int lowest = -1, highest = -1;
         for (int i = begin; i <= end; ++i)
             if (wanted >> (i * SQUARE + diagonal - i) & 1)

@@ -102,8 +102,7 @@ void EdgePieces::reset(const EdgePlanes& planes, bool isBetweenTopAndBottom)
     planes_ = &planes;
     isBetweenTopAndBottom_ = isBetweenTopAndBottom;
     size_ = sizeOf(planes.frame(), isBetweenTopAndBottom);
-    plane_ =
-        (isBetweenTopAndBottom ? planes.upright() : planes.transposed())[EdgePlanes::VOTES];
+    plane_ = (isBetweenTopAndBottom ? planes.upright() : planes.transposed())[EdgePlanes::VOTES];
     buffer_.allocate((size_t)memory(planes.frame(), isBetweenTopAndBottom));
     stride_ = size_.width + MARGIN;
     wayStride_ = stride_ * (size_.height / LENGTH);
@@ -126,9 +125,9 @@ void EdgePieces::sumRow(int group)
     for (int x = 0; x < size_.width; x += PARALLEL)
     {
         x = std::min(x, size_.width - PARALLEL); // the last ones overlap those before
-        sumWays<v_uint8x16>([=](int k, int i) { return v_load(pixels + k * plane_.stride + x + i); },
-                            [=](int way, const v_uint8x16& sums)
-                            { v_store(out + way * wayStride_ + x, sums); });
+        sumWays<v_uint8x16>(
+            [=](int k, int i) { return v_load(pixels + k * plane_.stride + x + i); },
+            [=](int way, const v_uint8x16& sums) { v_store(out + way * wayStride_ + x, sums); });
     }
     for (int way = 0; way < WAYS; ++way) // for who reads beyond a row
         std::memset(out + way * wayStride_ + size_.width, 0, MARGIN);
@@ -155,7 +154,10 @@ struct EdgePieces::Walk
             fractions[k] = (uint)(position + k * step);
         }
         const v_uint32x4 sign = v_setall_u32(0x80000000u); // comparisons are signed
-        const auto ordered = [&](const v_uint32x4& values) { return v_reinterpret_as_s32(values ^ sign); };
+        const auto ordered = [&](const v_uint32x4& values)
+        {
+            return v_reinterpret_as_s32(values ^ sign);
+        };
         v_int32x4 fraction = ordered(v_load(fractions)), place = v_load(rows);
         const v_int32x4 fractionStep = v_setall_s32((int)(4 * step)),
                         placeStep = v_setall_s32((int)(4 * step >> 32) + 4 * (int)stride);
@@ -183,8 +185,8 @@ EdgePieces::Walk EdgePieces::walkOf(int difference) const
     const Cell& frame = planes_->frame();
     const int u = std::max(0, difference), v = u - difference;
     const int s = frame.firstPoint(isBetweenTopAndBottom_ ? SIDE_TOP : SIDE_RIGHT) + u,
-              e = frame.firstPoint(isBetweenTopAndBottom_ ? SIDE_BOTTOM : SIDE_LEFT) +
-                  size_.width - 1 - v;
+              e = frame.firstPoint(isBetweenTopAndBottom_ ? SIDE_BOTTOM : SIDE_LEFT) + size_.width -
+                  1 - v;
     const Chord chord = {s, e};
     const Raster raster(frame, chord);
     Walk walk;
@@ -246,8 +248,7 @@ inline void sumStrips(const uchar* sums, const int* starts, const int* offsets, 
 
 } // namespace
 
-void EdgePieces::count(const Family* families, int familyCount, const int* starts,
-                       int* votes) const
+void EdgePieces::count(const Family* families, int familyCount, const int* starts, int* votes) const
 {
     CV_DbgAssert(familyCount <= MOST_FAMILIES);
     Walk walks[MOST_FAMILIES];
@@ -293,7 +294,9 @@ void EdgePieces::count(const Family* families, int familyCount, const int* start
 
 #else
 
-void EdgePieces::sumRow(int) {}
+void EdgePieces::sumRow(int)
+{
+}
 
 void EdgePieces::count(const Family*, int, const int*, int*) const
 {

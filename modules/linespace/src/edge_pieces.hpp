@@ -6,9 +6,9 @@
 // votes of many parallel chords between opposite sides.
 //
 // Why this is faster than pixel by pixel: within four columns a chord takes one of 15 ways, so a
-// table of the sums along these, made once for a map, saves three of four reads; and chords between
-// opposite sides that are parallel have the same raster, shifted, so 16 of them are read at once and
-// all of a family take the same ways, which are found once.
+// table of the sums along these, made once for a map, saves three of four reads; and chords
+// between opposite sides that are parallel have the same raster, shifted, so 16 of them are read
+// at once and all of a family take the same ways, which are found once.
 
 #ifndef OPENCV_LINESPACE_EDGE_PIECES_HPP
 #define OPENCV_LINESPACE_EDGE_PIECES_HPP
@@ -26,14 +26,14 @@ class EdgePieces
 public:
     enum
     {
-        PARALLEL = 16,    //!< chords that are counted like one
-        LENGTH = 4,       //!< columns of a piece
-        WAYS = 15,        //!< from one pixel to four columns on, by steps of 0 or 1, or 0 or -1
+        PARALLEL = 16, //!< chords that are counted like one
+        LENGTH = 4,    //!< columns of a piece
+        WAYS = 15,     //!< from one pixel to four columns on, by steps of 0 or 1, or 0 or -1
         LEAST_SIDE = 16,
         MOST_COLUMNS = 32768 //!< for Raster::fixedPoint
     };
 
-    EdgePieces() : planes_(0), isBetweenTopAndBottom_(false) {}
+    EdgePieces() : planes_(0), isBetweenTopAndBottom_(false), sums_(0), stride_(0), wayStride_(0) {}
 
     //! Whether chords between these sides can be counted so.
     static bool suits(const EdgePlanes& planes, bool isBetweenTopAndBottom);
@@ -71,7 +71,7 @@ private:
     Size size_; //!< pixels across the columns, and columns
     EdgePlanes::Plane plane_;
     Buffer buffer_;
-    uchar* sums_;               //!< [way][group of columns][pixel across]
+    uchar* sums_; //!< [way][group of columns][pixel across]
     ptrdiff_t stride_, wayStride_;
 };
 

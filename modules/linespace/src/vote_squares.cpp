@@ -72,8 +72,8 @@ public:
 #else
         low_ = high_ = v_setzero_s32();
         // 8 of these from SQUARE - left on begin at column left, and so on.
-        static const int EDGE[3 * SQUARE] = {0,  0,  0,  0,  0,  0,  0,  0, -1, -1, -1, -1,
-                                             -1, -1, -1, -1, 0,  0,  0,  0, 0,  0,  0,  0};
+        static const int EDGE[3 * SQUARE] = {0,  0,  0,  0,  0, 0, 0, 0, -1, -1, -1, -1,
+                                             -1, -1, -1, -1, 0, 0, 0, 0, 0,  0,  0,  0};
         const int *const from = EDGE + SQUARE - left,
                          *const to = EDGE + 2 * SQUARE - 1 - std::min(right, SQUARE - 1),
                          *const beyond = EDGE + 2 * SQUARE - 1 - std::max(right - SQUARE, -1);
@@ -90,9 +90,9 @@ public:
     {
         const v_int32x4 order = v_int32x4(31, 30, 29, 28) - v_setall_s32(place),
                         next = order - v_setall_s32(4);
-        low_ = v_max(low_, ((v_load(first) << 5) + order) & firstLow_);
-        high_ = v_max(high_, ((v_load(first + 4) << 5) + next) & firstHigh_);
-        low_ = v_max(low_, ((v_load(second) << 5) + next - v_setall_s32(4)) & secondLow_);
+        low_ = v_max(low_, (v_shl<5>(v_load(first)) + order) & firstLow_);
+        high_ = v_max(high_, (v_shl<5>(v_load(first + 4)) + next) & firstHigh_);
+        low_ = v_max(low_, (v_shl<5>(v_load(second)) + next - v_setall_s32(4)) & secondLow_);
     }
     void get(int& votes, int& place) const
     {
@@ -132,9 +132,9 @@ double VoteSquares::memory(const Cell& frame, bool hasPieces)
     double bytes = (double)runsOf(frame).chordCount() * sizeof(int);
     if (hasPieces)
         for (int pair = 0; pair < 2; ++pair)
-            bytes += EdgePieces::memory(frame, pair == 0) +
-                     (2. * frame.pointCount(pair) - 1) * wordsOf(frame.pointCount(pair)) *
-                         sizeof(uint64);
+            bytes += EdgePieces::memory(frame, pair == 0) + (2. * frame.pointCount(pair) - 1) *
+                                                                wordsOf(frame.pointCount(pair)) *
+                                                                sizeof(uint64);
     return bytes;
 }
 
@@ -198,9 +198,9 @@ VoteSquares::Position VoteSquares::positionOf(Chord chord) const
 VoteSquares::Place VoteSquares::placeOf(Chord chord) const
 {
     const Position position = positionOf(chord);
-    const Place place = {squareOf(position.sideS, position.sideE, position.u / SQUARE,
-                                  position.w / SQUARE),
-                         position.u % SQUARE, position.w % SQUARE};
+    const Place place = {
+        squareOf(position.sideS, position.sideE, position.u / SQUARE, position.w / SQUARE),
+        position.u % SQUARE, position.w % SQUARE};
     return place;
 }
 
@@ -245,8 +245,8 @@ bool VoteSquares::isInside(const Position& position, int radius) const
            position.w + radius < frame_.pointCount(position.sideE);
 }
 
-/** Calls visit(runS, runE, top, bottom, left, right) for the squares that a neighbourhood inside its
-sides meets, and which rows and columns of them. */
+/** Calls visit(runS, runE, top, bottom, left, right) for the squares that a neighbourhood inside
+its sides meets, and which rows and columns of them. */
 template<class Visit>
 inline void VoteSquares::forEachPart(const Position& position, int radius, Visit visit) const
 {
@@ -293,9 +293,8 @@ void VoteSquares::want(Chord chord, int radius)
                 [&](int runS, int runE, int top, int bottom, int left, int right)
                 {
                     const int row = middle.u - SQUARE * runS, column = middle.w - SQUARE * runE;
-                    Square& square =
-                        squareAt(squareOf(middle.sideS, middle.sideE, runS, runE),
-                                 chord.s - row, chord.e - column);
+                    Square& square = squareAt(squareOf(middle.sideS, middle.sideE, runS, runE),
+                                              chord.s - row, chord.e - column);
                     wantOf(square, rowsFrom(top, bottom) & columnsFrom(left, right));
                     if ((unsigned)row < (unsigned)SQUARE && (unsigned)column < (unsigned)SQUARE)
                         square.marked |= (uint64)1 << (SQUARE * row + column);
@@ -356,8 +355,8 @@ int VoteSquares::pairOf(const Square& square) const
         return -1;
     // All its chords must be steeper than diagonals.
     const int family = familyOf(pairs_[side], square);
-    const bool suits = -family < pairs_[side].columns &&
-                       family + DIAGONALS - 1 < pairs_[side].columns;
+    const bool suits =
+        -family < pairs_[side].columns && family + DIAGONALS - 1 < pairs_[side].columns;
     return suits ? side : -1;
 }
 
@@ -422,8 +421,7 @@ void VoteSquares::countStrips(Pair& pair)
             pair.pieces.count(wanted, count, starts.data(), votes.data());
             for (int k = 0, strip = 0; k < count; ++k)
                 for (const int end = strip + wanted[k].strips; strip < end; ++strip)
-                    takeVotes(pair, wanted[k].difference, starts[strip],
-                              &votes[strip * PARALLEL]);
+                    takeVotes(pair, wanted[k].difference, starts[strip], &votes[strip * PARALLEL]);
         }
     };
     parallel_for_(Range(0, (families + atOnce - 1) / atOnce), countRange,

@@ -50,7 +50,7 @@ public:
 private:
     struct Square
     {
-        int s, e; //!< of its first chord
+        int s, e;                       //!< of its first chord
         uint64 marked, wanted, counted; //!< bit SQUARE i + j for chord (s + i, e + j)
         int votes[SQUARE * SQUARE];
     };
@@ -95,8 +95,8 @@ private:
     {
         bool mayHavePieces, hasPieces;
         EdgePieces pieces;
-        int length, columns; //!< of the sides, and from one to the other
-        size_t words;                   //!< of a family
+        int length, columns;        //!< of the sides, and from one to the other
+        size_t words;               //!< of a family
         std::vector<uint64> strips; //!< a bit for each PARALLEL chords of a family, from u = 0 on
     };
 
@@ -114,7 +114,7 @@ private:
 
     const EdgePlanes* planes_;
     Pair pairs_[2];
-    Cell frame_, runs_;      //!< runs_: a cell with a border point for each run
+    Cell frame_, runs_;                         //!< runs_: a cell with a border point for each run
     size_t firstSquares_[4][4], rowLengths_[4]; //!< index of the first one of two sides; of a row
     std::vector<int> slots_; //!< of each square, by chords of runs_; -1: not in use
     std::vector<Square> squares_;

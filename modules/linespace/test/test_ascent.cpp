@@ -22,13 +22,14 @@ struct AscentCase
     double density; //!< 1: all white
     bool weighted, oriented;
     int threshold, radius;
+    int cellSize; //!< 50: a frame that is the image
 };
 
 void PrintTo(const AscentCase& own, std::ostream* out)
 {
     *out << own.size << ", density " << own.density << (own.weighted ? ", weighted" : "")
          << (own.oriented ? ", oriented" : "") << ", threshold " << own.threshold << ", radius "
-         << own.radius;
+         << own.radius << ", cellSize " << own.cellSize;
 }
 
 struct AscentInput
@@ -70,7 +71,7 @@ const double AscentInput::TOLERANCE = 60;
 Ptr<LineSpaceDetector> climbing(const AscentCase& own)
 {
     Ptr<LineSpaceDetector> detector =
-        createPlain(METHOD_CASCADED, 8, BACKEND_CPU, own.threshold);
+        createPlain(METHOD_CASCADED, own.cellSize, BACKEND_CPU, own.threshold);
     detector->setSuppressionRadius(own.radius);
     detector->setEdgeWeights(own.weighted);
     detector->setOrientationTolerance(AscentInput::TOLERANCE);
@@ -92,13 +93,13 @@ private:
 // Thousands of candidates, so that all ways of counting are used: frames with and without padding,
 // whose sides are multiples of the squares, the groups of columns and the vectors, or not.
 const AscentCase crowds[] = {
-    {Size(100, 90), 0.4, false, false, 45, 2},   {Size(90, 100), 0.4, false, false, 45, 1},
-    {Size(97, 128), 0.3, false, false, 45, 2},   {Size(131, 67), 0.3, false, false, 30, 2},
-    {Size(67, 131), 0.3, false, false, 30, 2},   {Size(64, 64), 1, false, false, 30, 2},
-    {Size(111, 79), 1, false, false, 70, 1},     {Size(80, 80), 0.7, false, false, 1, 2},
-    {Size(100, 90), 0.4, true, false, 5700, 2},  {Size(79, 113), 1, true, false, 17000, 2},
-    {Size(100, 90), 0.7, false, true, 55, 2},    {Size(113, 79), 0.7, false, true, 50, 1},
-    {Size(81, 100), 0.7, true, true, 6400, 2},
+    {Size(100, 90), 0.4, false, false, 45, 2, 8},  {Size(90, 100), 0.4, false, false, 45, 1, 8},
+    {Size(97, 128), 0.3, false, false, 45, 2, 50}, {Size(131, 67), 0.3, false, false, 30, 2, 50},
+    {Size(67, 131), 0.3, false, false, 30, 2, 50}, {Size(64, 64), 1, false, false, 30, 2, 8},
+    {Size(111, 79), 1, false, false, 70, 1, 50},   {Size(80, 80), 0.7, false, false, 1, 2, 8},
+    {Size(100, 90), 0.4, true, false, 5700, 2, 8}, {Size(79, 113), 1, true, false, 17000, 2, 8},
+    {Size(100, 90), 0.7, false, true, 55, 2, 8},   {Size(113, 79), 0.7, false, true, 50, 1, 8},
+    {Size(81, 100), 0.7, true, true, 6400, 2, 8},
 };
 
 typedef testing::TestWithParam<AscentCase> Linespace_AscentCrowd;
@@ -107,7 +108,8 @@ TEST_P(Linespace_AscentCrowd, is_that_of_brute_force)
 {
     const AscentCase own = GetParam();
     const AscentInput input(own);
-    const Selection selection(input.edges, METHOD_CASCADED, 8, own.weighted, input.directions);
+    const Selection selection(input.edges, METHOD_CASCADED, own.cellSize, own.weighted,
+                              input.directions);
     const std::vector<brute::Candidate> expected =
         selection.select(own.threshold, 0, THIN_RING, own.radius);
     ASSERT_GT(expected.size(), own.density == 1 ? 0u : 100u);
@@ -127,11 +129,16 @@ INSTANTIATE_TEST_CASE_P(/**/, Linespace_AscentCrowd, testing::ValuesIn(crowds));
 // Chords too long or too many for all of them by brute force: no line has a stronger neighbour. The
 // lengths are those at which fractions are rounded more often, and sums are full.
 const AscentCase giants[] = {
-    {Size(640, 480), 0.15, false, false, 120, 2}, {Size(517, 700), 0.15, true, false, 18000, 2},
-    {Size(600, 512), 0.3, false, true, 110, 2},   {Size(1100, 300), 1, false, false, 1050, 2},
-    {Size(300, 1100), 1, true, false, 270000, 2}, {Size(3400, 17), 0.2, false, false, 650, 2},
-    {Size(17, 3400), 1, true, false, 860000, 1},  {Size(5600, 9), 0.2, false, false, 1050, 2},
-    {Size(12, 6000), 0.2, false, false, 1130, 2},
+    {Size(640, 480), 0.15, false, false, 120, 2, 8},
+    {Size(517, 700), 0.15, true, false, 18000, 2, 8},
+    {Size(640, 480), 0.97, false, false, 500, 2, 8},
+    {Size(600, 512), 0.3, false, true, 110, 2, 8},
+    {Size(1100, 300), 1, false, false, 1050, 2, 8},
+    {Size(300, 1100), 1, true, false, 270000, 2, 8},
+    {Size(3400, 17), 0.2, false, false, 650, 2, 8},
+    {Size(17, 3400), 1, true, false, 860000, 1, 8},
+    {Size(5600, 9), 0.2, false, false, 1050, 2, 8},
+    {Size(6000, 12), 0.2, false, true, 900, 2, 8},
 };
 
 typedef testing::TestWithParam<AscentCase> Linespace_AscentGiant;
