@@ -31,9 +31,9 @@ void mergeBounds(const Merge& merge, const BundleLevel& child, const Range& rows
     CV_CPU_DISPATCH(mergeBounds, (merge, child, rows, parent), CV_CPU_DISPATCH_MODES_ALL);
 }
 
-void require(const Merge& merge, const BundleLevel& parent, Children which, BundleLevel& child)
+void require(const Merge& merge, const BundleLevel& parent, int part, int parts, BundleLevel& child)
 {
-    CV_CPU_DISPATCH(require, (merge, parent, which, child), CV_CPU_DISPATCH_MODES_ALL);
+    CV_CPU_DISPATCH(require, (merge, parent, part, parts, child), CV_CPU_DISPATCH_MODES_ALL);
 }
 
 size_t countNeeded(const Range& rows, const BundleLevel& level)
@@ -57,10 +57,10 @@ void mergeVotes(const Merge& merge, const BundleLevel& child, const Range& rows,
     CV_CPU_DISPATCH(mergeVotes, (merge, child, rows, parent), CV_CPU_DISPATCH_MODES_ALL);
 }
 
-void collectAbove(int votes, const Range& rows, const BundleLevel& level,
+void collectAbove(int votes, bool isAlone, const Range& rows, const BundleLevel& level,
                   std::vector<Candidate>& found)
 {
-    CV_CPU_DISPATCH(collectAbove, (votes, rows, level, found), CV_CPU_DISPATCH_MODES_ALL);
+    CV_CPU_DISPATCH(collectAbove, (votes, isAlone, rows, level, found), CV_CPU_DISPATCH_MODES_ALL);
 }
 
 //! One bundle of so many tells how many survive a cut.
@@ -287,11 +287,19 @@ void BundleSearch::requireAbove(int cut)
 {
     BundleLevel& last = levels_[top_];
     const int needed = cut + 1;
-    for (size_t i = 0; i < last.bundleCount(); ++i)
-    {
-        const int votes = least_.empty() ? needed : std::max<int>(needed, least_[i]);
-        last.required[i] = (ushort)(last.bounds[i] >= votes ? votes : BundleLevel::NOT_NEEDED);
-    }
+    const int count = (int)last.bundleCount(), perTask = 1 << 14;
+    parallel_for_(Range(0, (count + perTask - 1) / perTask),
+                  [&](const Range& range)
+                  {
+                      const int end = std::min(count, range.end * perTask);
+                      for (int i = range.start * perTask; i < end; ++i)
+                      {
+                          const int votes =
+                              least_.empty() ? needed : std::max<int>(needed, least_[i]);
+                          last.required[i] =
+                              (ushort)(last.bounds[i] >= votes ? votes : BundleLevel::NOT_NEEDED);
+                      }
+                  });
 }
 
 //! Counts the chords of the bundles that the last level requires; false if too many others have to
@@ -306,15 +314,14 @@ bool BundleSearch::count(const VoteTable& table)
         BundleLevel& child = levels_[i - 1];
         std::fill(child.required, child.required + child.bundleCount(),
                   (ushort)BundleLevel::NOT_NEEDED);
-        if (getNumThreads() < 2)
-            require(merges_[i - 1], levels_[i], CHILDREN_BOTH, child);
-        else
-            parallel_for_(Range(CHILDREN_A, CHILDREN_B + 1),
-                          [&](const Range& range)
-                          {
-                              for (int which = range.start; which < range.end; ++which)
-                                  require(merges_[i - 1], levels_[i], (Children)which, child);
-                          });
+        // Each part looks at all bundles of the parent, so there are not many.
+        const int parts = std::max(1, std::min(4, getNumThreads()));
+        parallel_for_(Range(0, parts),
+                      [&](const Range& range)
+                      {
+                          for (int part = range.start; part < range.end; ++part)
+                              require(merges_[i - 1], levels_[i], part, parts, child);
+                      });
         if (!makeRoom(i > 1 ? &merges_[i - 2] : 0, child))
             return false;
     }
@@ -416,18 +423,19 @@ void BundleSearch::maxima(int cut, const Wanted& wanted, int radius,
     const int rows = level.coarse.firstPoint(SIDE_LEFT), perTask = 16;
     const int tasks = (rows + perTask - 1) / perTask;
     std::vector<std::vector<Candidate>> parts(tasks);
-    parallel_for_(
-        Range(0, tasks),
-        [&](const Range& range)
-        {
-            for (int task = range.start; task < range.end; ++task)
-            {
-                std::vector<Candidate>& part = parts[task];
-                const int begin = task * perTask;
-                collectAbove(cut, Range(begin, std::min(rows, begin + perTask)), level, part);
-                part.resize(std::partition(part.begin(), part.end(), isMaximum) - part.begin());
-            }
-        });
+    parallel_for_(Range(0, tasks),
+                  [&](const Range& range)
+                  {
+                      for (int task = range.start; task < range.end; ++task)
+                      {
+                          std::vector<Candidate>& part = parts[task];
+                          const int begin = task * perTask;
+                          collectAbove(cut, radius == 0,
+                                       Range(begin, std::min(rows, begin + perTask)), level, part);
+                          part.resize(std::partition(part.begin(), part.end(), isMaximum) -
+                                      part.begin());
+                      }
+                  });
     found.clear();
     for (int task = 0; task < tasks; ++task)
         found.insert(found.end(), parts[task].begin(), parts[task].end());

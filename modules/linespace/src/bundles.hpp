@@ -54,14 +54,6 @@ struct BundleLevel
     ushort* votesOf(size_t bundle) const { return votesIn(slots[bundle]); }
 };
 
-//! The cells A of a merge, the cells B, or both.
-enum Children
-{
-    CHILDREN_A,
-    CHILDREN_B,
-    CHILDREN_BOTH
-};
-
 class BundleSearch
 {
 public:

@@ -7,6 +7,7 @@
 // shared out to threads; all but `require` write what belongs to these rows alone.
 
 #include "bundles.hpp"
+#include "vectors.hpp"
 
 namespace cv {
 namespace linespace {
@@ -28,9 +29,11 @@ size_t countNeeded(const Range& rows, const BundleLevel& level);
 @param merge to the level; null: it is the first one. */
 void assignSlots(const Merge* merge, const Range& rows, int slot, BundleLevel& level);
 
-/** Requires of the bundles of children what those of the parent that are needed ask for. Not for
-several threads at once on the same children. */
-void require(const Merge& merge, const BundleLevel& parent, Children which, BundleLevel& child);
+/** Requires of the bundles of children what those of the parent that are needed ask for.
+@param part of `parts`: which of the children's bundles. No two parts write the same, so threads can
+share them out. */
+void require(const Merge& merge, const BundleLevel& parent, int part, int parts,
+             BundleLevel& child);
 
 //! Votes of the bundles with a slot, of the first level.
 void takeVotes(const VoteTable& table, const Cell& cell, const Range& rows, BundleLevel& level);
@@ -39,8 +42,10 @@ void takeVotes(const VoteTable& table, const Cell& cell, const Range& rows, Bund
 void mergeVotes(const Merge& merge, const BundleLevel& child, const Range& rows,
                 BundleLevel& parent);
 
-//! Appends the chords of these rows, of the last level, that were counted and have more votes.
-void collectAbove(int votes, const Range& rows, const BundleLevel& level,
+/** Appends the chords of these rows, of the last level, that were counted and have more votes.
+@param isAlone whether a chord can stand beside a stronger parallel one. If not, some that cannot be
+maxima are left out. */
+void collectAbove(int votes, bool isAlone, const Range& rows, const BundleLevel& level,
                   std::vector<Candidate>& found);
 
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
@@ -189,48 +194,41 @@ void mergeBoundsOf(const Merge& merge, const BundleLevel& child, const Range& ro
     }
 }
 
-/** Calls visit(index) for the bundles that are needed, [begin, end) of them, and passes over
-stretches of others at once. */
+#if LINESPACE_SIMD128
+
+//! Which of 16 bundles are needed, a bit each.
+inline int neededBits(const ushort* required)
+{
+    const v_uint16x8 none = v_setall_u16((ushort)BundleLevel::NOT_NEEDED);
+    return v_signmask(v_pack_b(v_load(required) != none, v_load(required + 8) != none));
+}
+
+#else
+
+inline int neededBits(const ushort* required)
+{
+    int bits = 0;
+    for (int k = 0; k < 16; ++k)
+        bits |= (required[k] != BundleLevel::NOT_NEEDED) << k;
+    return bits;
+}
+
+#endif
+
+/** Calls visit(index) for the bundles that are needed, and passes over stretches of others at
+once. */
 template<class Visit>
 void forEachNeeded(const ushort* required, size_t count, Visit visit)
 {
     const size_t stretch = 16;
     size_t i = 0;
     for (; i + stretch <= count; i += stretch)
-    {
-        ushort least = USHRT_MAX;
-        for (size_t k = 0; k < stretch; ++k)
-            least = std::min(least, required[i + k]);
-        if (least == BundleLevel::NOT_NEEDED)
-            continue;
-        for (size_t k = i; k < i + stretch; ++k)
-            if (required[k] != BundleLevel::NOT_NEEDED)
-                visit(k);
-    }
+        for (int bits = neededBits(required + i); bits != 0; bits &= bits - 1)
+            visit(i + trailingZeros32(bits));
     for (; i < count; ++i)
         if (required[i] != BundleLevel::NOT_NEEDED)
             visit(i);
 }
-
-/** How the votes of a part are found in a child's bundle: of the chord from the i-th point of a run
-of the parent's border to the u-th point of a run of the shared side, at i * step + shared(u). */
-struct PartOrder
-{
-    int step, sharedStep, firstShared;
-
-    PartOrder(const Merge& coarse, int childNumber, int point)
-    {
-        const bool sharedComesFirst = coarse.sharedPoint(childNumber, 0) < point;
-        step = sharedComesFirst ? 1 : SIDE;
-        sharedStep = sharedComesFirst ? SIDE : 1;
-        firstShared = 0;
-        if (coarse.sharedDirection(childNumber) < 0)
-        {
-            firstShared = (SIDE - 1) * sharedStep;
-            sharedStep = -sharedStep;
-        }
-    }
-};
 
 template<class Votes>
 void takeVotesOf(const Votes* votes, const Cell& cell, const Range& rows, BundleLevel& level)
@@ -262,6 +260,116 @@ inline const ushort* votesIfNeeded(const BundleLevel& level, size_t bundle)
     return level.required[bundle] == BundleLevel::NOT_NEEDED ? NO_VOTES : level.votesOf(bundle);
 }
 
+/** How the votes of a part are found in a child's bundle: of the chord from the i-th point of a run
+of the parent's border to the u-th point of a run of the shared side, at SIDE * i + (u ^ flip), or,
+if the shared side's points come first, at SIDE * (u ^ flip) + i. */
+struct PartOrder
+{
+    bool sharedComesFirst;
+    int flip; //!< SIDE - 1 where the shared side runs against the border, so u counts from its end
+
+    PartOrder(const Merge& coarse, int childNumber, int point)
+        : sharedComesFirst(coarse.sharedPoint(childNumber, 0) < point),
+          flip(coarse.sharedDirection(childNumber) < 0 ? SIDE - 1 : 0)
+    {
+    }
+    int at(int i, int u) const
+    {
+        return sharedComesFirst ? SIDE * (u ^ flip) + i : SIDE * i + (u ^ flip);
+    }
+};
+
+#if LINESPACE_SIMD128
+
+//! A bundle's votes with the points of one end in rows, those of the other in columns.
+struct VoteMatrix
+{
+    v_uint16x8 upper, lower; //!< rows 0 and 1, rows 2 and 3
+
+    VoteMatrix() {}
+    VoteMatrix(const v_uint16x8& first, const v_uint16x8& second) : upper(first), lower(second) {}
+    explicit VoteMatrix(const ushort* votes) : upper(v_load(votes)), lower(v_load(votes + 8)) {}
+
+    VoteMatrix transposed() const
+    {
+        VoteMatrix pairs, result;
+        v_zip(upper, lower, pairs.upper, pairs.lower);
+        v_zip(pairs.upper, pairs.lower, result.upper, result.lower);
+        return result;
+    }
+};
+
+#endif
+
+/** The votes of parts of chords: of those from SIDE points of the parent's border to all points of
+some consecutive bundles of the shared side. */
+class PartTable
+{
+public:
+    enum
+    {
+        BUNDLES = 4, //!< more are crossed only close to the ends of the shared side
+        POINTS = BUNDLES * SIDE
+    };
+
+    explicit PartTable(const PartOrder& order) : order_(order) {}
+
+    //! The parts that end in the `number`-th of the bundles.
+    void set(int number, const ushort* votes)
+    {
+        ushort* const first = votes_ + SIDE * number;
+#if LINESPACE_SIMD128
+        VoteMatrix rows(votes);
+        if (order_.sharedComesFirst)
+            rows = rows.transposed();
+        v_store_low(first, rows.upper);
+        v_store_high(first + POINTS, rows.upper);
+        v_store_low(first + 2 * POINTS, rows.lower);
+        v_store_high(first + 3 * POINTS, rows.lower);
+#else
+        for (int i = 0; i < SIDE; ++i)
+            for (int u = 0; u < SIDE; ++u)
+                first[i * POINTS + u] =
+                    votes[order_.sharedComesFirst ? SIDE * u + i : SIDE * i + u];
+#endif
+    }
+
+    //! Of the part from point i to a point of the shared side, counted from the first bundle's.
+    ushort votes(int i, int point) const
+    {
+        return votes_[i * POINTS + (point ^ order_.flip)];
+    }
+
+#if CV_AVX2
+    /** Of the parts from point i, one for each row, to four points each, which must lie in the first
+    two bundles. */
+    VoteMatrix votes(const VoteMatrix& points) const
+    {
+        const v_uint16x8 flip = v_setall_u16((ushort)order_.flip);
+        const v_uint16x8 upper = points.upper ^ flip, lower = points.lower ^ flip;
+        return VoteMatrix(lookUp(0, upper), lookUp(2, lower));
+    }
+
+private:
+    //! Of rows i and i + 1.
+    v_uint16x8 lookUp(int i, const v_uint16x8& points) const
+    {
+        // Both bytes of every vote.
+        const __m128i bytes = _mm_add_epi16(_mm_mullo_epi16(points.val, _mm_set1_epi16(0x0202)),
+                                            _mm_set1_epi16(0x0100));
+        const __m128i *first = (const __m128i*)(votes_ + i * POINTS),
+                      *second = (const __m128i*)(votes_ + (i + 1) * POINTS);
+        return v_uint16x8(_mm_unpacklo_epi64(
+            _mm_shuffle_epi8(_mm_loadu_si128(first), bytes),
+            _mm_shuffle_epi8(_mm_loadu_si128(second), _mm_unpackhi_epi64(bytes, bytes))));
+    }
+#endif
+
+private:
+    const PartOrder order_;
+    ushort votes_[SIDE * POINTS];
+};
+
 /** Bundles of one segment of a row whose chords cross the shared side, and how their votes are put
 together. */
 class BundleParts
@@ -273,77 +381,83 @@ public:
           a_(segment.chordS * run_ + segment.childS * cells),
           b_(segment.chordE * run_ + (1 - segment.childS) * cells),
           orderA_(coarse, segment.childS, coarse.childPoint(s)),
-          orderB_(coarse, 1 - segment.childS, coarse.childPoint(segment.firstEnd))
+          orderB_(coarse, 1 - segment.childS, coarse.childPoint(segment.firstEnd)),
+          tableA_(orderA_), tableB_(orderB_)
     {
         for (int i = 0; i < SIDE; ++i)
-            runs_[i] = CrossingRun(merge, SIDE * s + i, SIDE * segment.firstEnd);
+        {
+            const CrossingRun run(merge, SIDE * s + i, SIDE * segment.firstEnd);
+            for (int j = 0, k = SIDE * i; j < SIDE; ++j, ++k)
+            {
+                numerators_[k] = run.numerator(j);
+                steps_[k] = run.numerator(SIDE) - run.numerator(0);
+                denominators_[k] = run.denominator(j);
+                denominatorSteps_[k] = run.denominator(SIDE) - run.denominator(0);
+            }
+        }
     }
 
     //! The votes of bundle i of a cell.
-    void add(int i, size_t cell, const BundleLevel::Crossed& crossed, ushort* out) const
+    void add(int i, size_t cell, const BundleLevel::Crossed& crossed, ushort* out)
     {
-        // Where the votes of the points crossed stand is looked up once for all chords. More than a
-        // few bundles are crossed only close to the ends of the shared side.
-        const ushort *a[MOST_POINTS], *b[MOST_POINTS];
-        const int firstPoint = SIDE * crossed.first,
-                  points = SIDE * (crossed.last + 1) - firstPoint;
-        if (points > MOST_POINTS)
-            return addOneByOne(i, cell, out);
+        const int firstPoint = SIDE * crossed.first, bundles = crossed.last - crossed.first + 1;
+        int points[BUNDLE_CHORDS]; // as CrossingRun::at, in vectors
+        for (int k = 0; k < BUNDLE_CHORDS; ++k)
+            points[k] = (int)((numerators_[k] + i * steps_[k]) /
+                              (denominators_[k] + i * denominatorSteps_[k])) -
+                        firstPoint;
+        if (bundles > PartTable::BUNDLES)
+            return addOneByOne(i, cell, crossed.first, points, out);
         for (int m = crossed.first; m <= crossed.last; ++m)
         {
-            const ushort *partsA = partA(m, cell), *partsB = partB(m, i, cell);
-            const ushort** const pointsA = a + SIDE * (m - crossed.first);
-            const ushort** const pointsB = b + SIDE * (m - crossed.first);
-            for (int u = 0; u < SIDE; ++u)
-            {
-                pointsA[u] = partsA + u * orderA_.sharedStep;
-                pointsB[u] = partsB + u * orderB_.sharedStep;
-            }
+            tableA_.set(m - crossed.first, partA(m, cell));
+            tableB_.set(m - crossed.first, partB(m, i, cell));
         }
-        for (int row = 0; row < SIDE; ++row, out += SIDE)
+#if CV_AVX2
+        if (bundles <= 2)
         {
-            int m[SIDE];
-            for (int j = 0; j < SIDE; ++j)
-                m[j] = runs_[row].at(SIDE * i + j) - firstPoint;
-            for (int j = 0; j < SIDE; ++j)
-                out[j] = (ushort)(a[m[j]][row * orderA_.step] + b[m[j]][j * orderB_.step]);
+            const VoteMatrix rows(v_pack_u(v_load(points), v_load(points + 4)),
+                                  v_pack_u(v_load(points + 8), v_load(points + 12)));
+            const VoteMatrix a = tableA_.votes(rows),
+                             b = tableB_.votes(rows.transposed()).transposed();
+            v_store(out, v_add_wrap(a.upper, b.upper));
+            v_store(out + 8, v_add_wrap(a.lower, b.lower));
+            return;
         }
+#endif
+        for (int k = 0; k < BUNDLE_CHORDS; ++k)
+            out[k] =
+                (ushort)(tableA_.votes(k / SIDE, points[k]) + tableB_.votes(k % SIDE, points[k]));
     }
 
 private:
-    enum
+    void addOneByOne(int i, size_t cell, int first, const int* points, ushort* out) const
     {
-        MOST_POINTS = 4 * SIDE
-    };
-
-    void addOneByOne(int i, size_t cell, ushort* out) const
-    {
-        for (int row = 0; row < SIDE; ++row)
-            for (int j = 0; j < SIDE; ++j)
-            {
-                const int m = runs_[row].at(SIDE * i + j), u = m % SIDE;
-                *out++ =
-                    (ushort)(partA(m / SIDE, cell)[row * orderA_.step + u * orderA_.sharedStep] +
-                             partB(m / SIDE, i, cell)[j * orderB_.step + u * orderB_.sharedStep]);
-            }
+        for (int k = 0; k < BUNDLE_CHORDS; ++k)
+        {
+            const int m = first + points[k] / SIDE, u = points[k] % SIDE;
+            out[k] = (ushort)(partA(m, cell)[orderA_.at(k / SIDE, u)] +
+                              partB(m, i, cell)[orderB_.at(k % SIDE, u)]);
+        }
     }
 
     const ushort* partA(int m, size_t cell) const
     {
-        return votesIfNeeded(child_, a_ + m * segment_.strideS * run_ + cell) + orderA_.firstShared;
+        return votesIfNeeded(child_, a_ + m * segment_.strideS * run_ + cell);
     }
     const ushort* partB(int m, int i, size_t cell) const
     {
         return votesIfNeeded(child_,
-                             b_ + (m * segment_.strideE + i * segment_.stepE) * run_ + cell) +
-               orderB_.firstShared;
+                             b_ + (m * segment_.strideE + i * segment_.stepE) * run_ + cell);
     }
 
     const Segment& segment_;
     const BundleLevel& child_;
     const ptrdiff_t run_, a_, b_;
     const PartOrder orderA_, orderB_;
-    CrossingRun runs_[SIDE];
+    PartTable tableA_, tableB_;
+    double numerators_[BUNDLE_CHORDS], steps_[BUNDLE_CHORDS], denominators_[BUNDLE_CHORDS],
+        denominatorSteps_[BUNDLE_CHORDS];
 };
 
 } // namespace
@@ -418,11 +532,15 @@ void assignSlots(const Merge* merge, const Range& rows, int slot, BundleLevel& l
     }
 }
 
-void require(const Merge& merge, const BundleLevel& parent, Children which, BundleLevel& child)
+void require(const Merge& merge, const BundleLevel& parent, int part, int parts, BundleLevel& child)
 {
     const int bits = parent.cellBits, rows = parent.coarse.firstPoint(SIDE_LEFT);
     const ptrdiff_t n = (ptrdiff_t)parent.cells, run = 2 * n;
     const Merge coarse(child.coarse, merge.horizontal);
+    // A child's bundle that ends on the shared side belongs to the part of that end, others to that
+    // of their row.
+    const int firstShared = (int)((int64)coarse.sharedCount() * part / parts),
+              lastShared = (int)((int64)coarse.sharedCount() * (part + 1) / parts) - 1;
     const auto requireVotes = [&](ptrdiff_t bundle, int votes)
     {
         ushort& required = child.required[bundle];
@@ -437,12 +555,10 @@ void require(const Merge& merge, const BundleLevel& parent, Children which, Bund
         {
             const Segment& segment = segments[k];
             const ushort* const needed = &parent.required[start];
-            const bool ofS = which == CHILDREN_BOTH || (int)which == segment.childS,
-                       ofE = which == CHILDREN_BOTH || !ofS;
             const ptrdiff_t a = segment.chordS * run + segment.childS * n;
             if (!segment.isCrossing)
             {
-                if (ofS)
+                if (s % parts == part)
                     forEachNeeded(needed, (size_t)segment.count << bits,
                                   [&](size_t at) {
                                       requireVotes(a + (ptrdiff_t)(at >> bits) * run +
@@ -459,7 +575,8 @@ void require(const Merge& merge, const BundleLevel& parent, Children which, Bund
                     const BundleLevel::Crossed& crossed =
                         parent.crossedOf(parent.slots[start + at]);
                     const ptrdiff_t cell = at & (n - 1), i = (ptrdiff_t)(at >> bits);
-                    for (int m = crossed.first; m <= crossed.last; ++m)
+                    const int last = std::min(crossed.last, lastShared);
+                    for (int m = std::max(crossed.first, firstShared); m <= last; ++m)
                     {
                         const ptrdiff_t partS = a + m * segment.strideS * run + cell,
                                         partE = b + cell +
@@ -467,10 +584,8 @@ void require(const Merge& merge, const BundleLevel& parent, Children which, Bund
                         const int boundS = child.bounds[partS], boundE = child.bounds[partE];
                         if (boundS + boundE < needed[at])
                             continue;
-                        if (ofS)
-                            requireVotes(partS, needed[at] - boundE);
-                        if (ofE)
-                            requireVotes(partE, needed[at] - boundS);
+                        requireVotes(partS, needed[at] - boundE);
+                        requireVotes(partE, needed[at] - boundS);
                     }
                 });
         }
@@ -513,7 +628,7 @@ void mergeVotes(const Merge& merge, const BundleLevel& child, const Range& rows,
                               });
                 continue;
             }
-            const BundleParts parts(merge, coarse, s, segment, child, n);
+            BundleParts parts(merge, coarse, s, segment, child, n);
             forEachNeeded(needed, bundles,
                           [&](size_t at)
                           {
@@ -525,7 +640,29 @@ void mergeVotes(const Merge& merge, const BundleLevel& child, const Range& rows,
     }
 }
 
-void collectAbove(int votes, const Range& rows, const BundleLevel& level,
+//! Which chords of a bundle have more votes, a bit each.
+inline int bitsAbove(const ushort* own, int votes)
+{
+    int bits = 0;
+#if LINESPACE_SIMD128
+    const v_uint16x8 most = v_setall_u16((ushort)votes);
+    bits = v_signmask(v_pack_b(v_load(own) > most, v_load(own + 8) > most));
+#else
+    for (int k = 0; k < BUNDLE_CHORDS; ++k)
+        bits |= (own[k] > votes) << k;
+#endif
+    return bits;
+}
+
+//! Whether a chord of the same bundle that is parallel to the k-th one is stronger.
+inline bool hasStrongerNeighbour(const ushort* own, int k)
+{
+    const int i = k / SIDE, j = k % SIDE;
+    return (i < SIDE - 1 && j > 0 && own[k + SIDE - 1] > own[k]) ||
+           (i > 0 && j < SIDE - 1 && own[k - SIDE + 1] >= own[k]);
+}
+
+void collectAbove(int votes, bool isAlone, const Range& rows, const BundleLevel& level,
                   std::vector<Candidate>& found)
 {
     for (int s = rows.start; s < rows.end; ++s)
@@ -536,17 +673,14 @@ void collectAbove(int votes, const Range& rows, const BundleLevel& level,
                       [&](size_t at)
                       {
                           const ushort* own = level.votesOf(start + at);
-                          ushort most = 0;
-                          for (int k = 0; k < BUNDLE_CHORDS; ++k)
-                              most = std::max(most, own[k]);
-                          if (most <= votes)
-                              return;
-                          for (int k = 0; k < BUNDLE_CHORDS; ++k)
+                          for (int bits = bitsAbove(own, votes); bits != 0; bits &= bits - 1)
                           {
+                              const int k = (int)trailingZeros32(bits);
+                              if (!isAlone && hasStrongerNeighbour(own, k))
+                                  continue;
                               const Candidate chord = {own[k], SIDE * s + k / SIDE,
                                                        SIDE * (firstEnd + (int)at) + k % SIDE};
-                              if (chord.votes > votes)
-                                  found.push_back(chord);
+                              found.push_back(chord);
                           }
                       });
     }

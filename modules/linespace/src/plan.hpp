@@ -196,10 +196,9 @@ class CrossingRun
 public:
     CrossingRun() : numerator_(0), numeratorStep_(0), denominator_(1), denominatorStep_(0) {}
     CrossingRun(const Merge& merge, int s, int e);
-    int at(int i) const
-    {
-        return (int)((numerator_ + i * numeratorStep_) / (denominator_ + i * denominatorStep_));
-    }
+    int at(int i) const { return (int)(numerator(i) / denominator(i)); }
+    double numerator(int i) const { return numerator_ + i * numeratorStep_; }
+    double denominator(int i) const { return denominator_ + i * denominatorStep_; }
 
 private:
     double numerator_, numeratorStep_, denominator_, denominatorStep_;
