@@ -340,7 +340,7 @@ public:
         return votes_[i * POINTS + (point ^ order_.flip)];
     }
 
-#if CV_AVX2
+#if LINESPACE_SIMD128 && CV_AVX2
     /** Of the parts from point i, one for each row, to four points each, which must lie in the first
     two bundles. */
     VoteMatrix votes(const VoteMatrix& points) const
@@ -413,7 +413,7 @@ public:
             tableA_.set(m - crossed.first, partA(m, cell));
             tableB_.set(m - crossed.first, partB(m, i, cell));
         }
-#if CV_AVX2
+#if LINESPACE_SIMD128 && CV_AVX2
         if (bundles <= 2)
         {
             const VoteMatrix rows(v_pack_u(v_load(points), v_load(points + 4)),

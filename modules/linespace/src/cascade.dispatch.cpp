@@ -13,6 +13,8 @@
 #include "cascade.simd.hpp"
 #include "cascade.simd_declarations.hpp"
 
+#include <atomic>
+
 namespace cv {
 namespace linespace {
 
@@ -47,6 +49,13 @@ void mergeRows(const Merge& merge, int firstRow, int lastRow, size_t cells, cons
 {
     CV_CPU_DISPATCH(mergeRows,
                     (merge, firstRow, lastRow, cells, child, childDepth, parent, parentDepth),
+                    CV_CPU_DISPATCH_MODES_ALL);
+}
+
+bool mergeRowsNarrow(const Merge& merge, int firstRow, int lastRow, size_t cells,
+                     const uchar* child, uchar* parent)
+{
+    CV_CPU_DISPATCH(mergeRowsNarrow, (merge, firstRow, lastRow, cells, child, parent),
                     CV_CPU_DISPATCH_MODES_ALL);
 }
 
@@ -125,6 +134,26 @@ public:
                                     child.buffer.data(), child.depth, parent.buffer.data(),
                                     parent.depth);
                       });
+    }
+
+    bool mergeCellsNarrow(const Plan& plan, int level, const VoteTable& child,
+                          VoteTable& parent) CV_OVERRIDE
+    {
+        if (parent.cells % 8 != 0)
+            return false;
+        const Merge merge = plan.merge(level);
+        const int rows = merge.parent.firstPoint(SIDE_LEFT);
+        std::atomic<bool> fits(true);
+        parallel_for_(Range(0, taskCount(rows, ROWS_PER_TASK)),
+                      [&](const Range& range)
+                      {
+                          if (fits && !mergeRowsNarrow(merge, range.start * ROWS_PER_TASK,
+                                                       std::min(rows, range.end * ROWS_PER_TASK),
+                                                       parent.cells, child.ptr<uchar>(),
+                                                       parent.ptr<uchar>()))
+                              fits = false;
+                      });
+        return fits;
     }
 
     void exactVotes(const EdgeMap& edges, const Plan& plan, VoteTable& table) CV_OVERRIDE

@@ -57,6 +57,12 @@ void addPlanes(const uchar* planes, const ushort* pixels, int count, size_t cell
 void mergeRows(const Merge& merge, int firstRow, int lastRow, size_t cells, const void* child,
                int childDepth, void* parent, int parentDepth);
 
+/** The same for a child and a parent of one byte per vote, although more votes are possible, of a
+multiple of 8 cells.
+@return false if a sum did not fit; then the parent is worthless. */
+bool mergeRowsNarrow(const Merge& merge, int firstRow, int lastRow, size_t cells,
+                     const uchar* child, uchar* parent);
+
 /** Exact votes of the chords (s, e), e = firstPartner .. borderCount - 1, of an image of one cell,
 of the pixels that have the bit of the chord's bin.
 @param votes one result per chord, `depth` bytes each. */
@@ -165,6 +171,64 @@ void addRuns(const ChildVotes* a, ptrdiff_t strideA, const ChildVotes* b, ptrdif
     }
 }
 
+#if LINESPACE_SIMD128
+
+//! Adds two bytes each, and remembers the largest sums; those that do not fit become 255.
+inline v_uint8x16 addNarrow(const v_uint8x16& a, const v_uint8x16& b, v_uint8x16& most)
+{
+    const v_uint8x16 sum = a + b;
+    most = v_max(most, sum);
+    return sum;
+}
+
+//! As addRuns, into votes of one byte; false if a sum did not fit (or is 255, which nobody can tell).
+template<int Cells>
+bool addRunsNarrow(const uchar* a, ptrdiff_t strideA, const uchar* b, ptrdiff_t strideB,
+                   ptrdiff_t stepB, const int* m, int count, size_t cells, uchar* parent)
+{
+    const size_t n = Cells > 0 ? (size_t)Cells : cells, width = 16;
+    v_uint8x16 most = v_setzero_u8();
+    for (int i = 0; i < count; ++i, b += stepB, parent += n)
+    {
+        const int ahead = std::min(i + AHEAD, count - 1);
+        prefetch(a + m[ahead] * strideA);
+        prefetch(b + m[ahead] * strideB + (ahead - i) * stepB);
+        const uchar *partA = a + m[i] * strideA, *partB = b + m[i] * strideB;
+        if (n == width / 2)
+            v_store_low(parent, addNarrow(v_load_low(partA), v_load_low(partB), most));
+        for (size_t c = 0; c + width <= n; c += width)
+            v_store(parent + c, addNarrow(v_load(partA + c), v_load(partB + c), most));
+    }
+    return v_reduce_max(most) < UCHAR_MAX;
+}
+
+#else
+
+template<int Cells>
+bool addRunsNarrow(const uchar* a, ptrdiff_t strideA, const uchar* b, ptrdiff_t strideB,
+                   ptrdiff_t stepB, const int* m, int count, size_t cells, uchar* parent)
+{
+    int most = 0;
+    for (int i = 0; i < count; ++i, b += stepB)
+        for (size_t c = 0; c < cells; ++c)
+        {
+            const int sum = a[m[i] * strideA + c] + b[m[i] * strideB + c];
+            most = std::max(most, sum);
+            *parent++ = (uchar)std::min<int>(sum, UCHAR_MAX);
+        }
+    return most < UCHAR_MAX;
+}
+
+#endif
+
+//! Of all depths but those of addRunsNarrow.
+template<int Cells, class ChildVotes, class ParentVotes>
+bool addRunsNarrow(const ChildVotes*, ptrdiff_t, const ChildVotes*, ptrdiff_t, ptrdiff_t,
+                   const int*, int, size_t, ParentVotes*)
+{
+    return false;
+}
+
 template<int Cells, class ChildVotes, class ParentVotes>
 void copyRuns(const ChildVotes* a, int count, size_t cells, ParentVotes* parent)
 {
@@ -174,14 +238,16 @@ void copyRuns(const ChildVotes* a, int count, size_t cells, ParentVotes* parent)
             parent[c] = a[c];
 }
 
-template<int Cells, class ChildVotes, class ParentVotes>
-void mergeRowsOf(const Merge& merge, int firstRow, int lastRow, size_t cells,
+//! With IsNarrow whether all sums fitted, see mergeRowsNarrow; else true.
+template<int Cells, bool IsNarrow, class ChildVotes, class ParentVotes>
+bool mergeRowsOf(const Merge& merge, int firstRow, int lastRow, size_t cells,
                  const ChildVotes* child, ParentVotes* parent)
 {
     Segment segments[ROW_BLOCK][MAX_SEGMENTS];
     int m[END_BLOCK];
     const ptrdiff_t n = (ptrdiff_t)cells, run = 2 * n;
-    for (int row = firstRow; row < lastRow;)
+    bool fits = true;
+    for (int row = firstRow; row < lastRow && fits;)
     {
         // Rows of one side of one child have the same segments.
         const int side = merge.parent.sideOf(row), half = merge.childOf(row);
@@ -209,28 +275,34 @@ void mergeRowsOf(const Merge& merge, int firstRow, int lastRow, size_t cells,
                         m[i] = crossings.at(i);
                     const ChildVotes* b = child + (segment.chordE + begin * segment.stepE) * run +
                                           (1 - segment.childS) * n;
-                    addRuns<Cells>(a, segment.strideS * run, b, segment.strideE * run,
-                                   segment.stepE * run, m, length, cells, out);
+                    if (!IsNarrow)
+                        addRuns<Cells>(a, segment.strideS * run, b, segment.strideE * run,
+                                       segment.stepE * run, m, length, cells, out);
+                    else if (!addRunsNarrow<Cells>(a, segment.strideS * run, b,
+                                                   segment.strideE * run, segment.stepE * run, m,
+                                                   length, cells, out))
+                        fits = false;
                 }
         row += rows;
     }
+    return fits;
 }
 
-template<class ChildVotes, class ParentVotes>
-void mergeRowsFor(const Merge& merge, int firstRow, int lastRow, size_t cells, const void* child,
+template<bool IsNarrow, class ChildVotes, class ParentVotes>
+bool mergeRowsFor(const Merge& merge, int firstRow, int lastRow, size_t cells, const void* child,
                   void* parent)
 {
     const ChildVotes* from = (const ChildVotes*)child;
     ParentVotes* to = (ParentVotes*)parent;
     switch (cells)
     {
-    case 1: return mergeRowsOf<1>(merge, firstRow, lastRow, cells, from, to);
-    case 2: return mergeRowsOf<2>(merge, firstRow, lastRow, cells, from, to);
-    case 4: return mergeRowsOf<4>(merge, firstRow, lastRow, cells, from, to);
-    case 8: return mergeRowsOf<8>(merge, firstRow, lastRow, cells, from, to);
-    case 16: return mergeRowsOf<16>(merge, firstRow, lastRow, cells, from, to);
-    case 32: return mergeRowsOf<32>(merge, firstRow, lastRow, cells, from, to);
-    default: return mergeRowsOf<0>(merge, firstRow, lastRow, cells, from, to);
+    case 1: return mergeRowsOf<1, IsNarrow>(merge, firstRow, lastRow, cells, from, to);
+    case 2: return mergeRowsOf<2, IsNarrow>(merge, firstRow, lastRow, cells, from, to);
+    case 4: return mergeRowsOf<4, IsNarrow>(merge, firstRow, lastRow, cells, from, to);
+    case 8: return mergeRowsOf<8, IsNarrow>(merge, firstRow, lastRow, cells, from, to);
+    case 16: return mergeRowsOf<16, IsNarrow>(merge, firstRow, lastRow, cells, from, to);
+    case 32: return mergeRowsOf<32, IsNarrow>(merge, firstRow, lastRow, cells, from, to);
+    default: return mergeRowsOf<0, IsNarrow>(merge, firstRow, lastRow, cells, from, to);
     }
 }
 
@@ -304,13 +376,27 @@ void mergeRows(const Merge& merge, int firstRow, int lastRow, size_t cells, cons
 {
     switch (childDepth * 8 + parentDepth)
     {
-    case 8 + 1: return mergeRowsFor<uchar, uchar>(merge, firstRow, lastRow, cells, child, parent);
-    case 8 + 2: return mergeRowsFor<uchar, ushort>(merge, firstRow, lastRow, cells, child, parent);
+    case 8 + 1:
+        mergeRowsFor<false, uchar, uchar>(merge, firstRow, lastRow, cells, child, parent);
+        break;
+    case 8 + 2:
+        mergeRowsFor<false, uchar, ushort>(merge, firstRow, lastRow, cells, child, parent);
+        break;
     case 16 + 2:
-        return mergeRowsFor<ushort, ushort>(merge, firstRow, lastRow, cells, child, parent);
-    case 16 + 4: return mergeRowsFor<ushort, int>(merge, firstRow, lastRow, cells, child, parent);
-    default: return mergeRowsFor<int, int>(merge, firstRow, lastRow, cells, child, parent);
+        mergeRowsFor<false, ushort, ushort>(merge, firstRow, lastRow, cells, child, parent);
+        break;
+    case 16 + 4:
+        mergeRowsFor<false, ushort, int>(merge, firstRow, lastRow, cells, child, parent);
+        break;
+    default: mergeRowsFor<false, int, int>(merge, firstRow, lastRow, cells, child, parent); break;
     }
+}
+
+bool mergeRowsNarrow(const Merge& merge, int firstRow, int lastRow, size_t cells,
+                     const uchar* child, uchar* parent)
+{
+    CV_DbgAssert(cells % 8 == 0);
+    return mergeRowsFor<true, uchar, uchar>(merge, firstRow, lastRow, cells, child, parent);
 }
 
 namespace {

@@ -9,6 +9,26 @@
 namespace cv {
 namespace linespace {
 
+namespace {
+
+/** Counters of a byte where the most votes that a level can have do not fit, but those that images have
+do: only a nearly straight row of edge pixels from border to border of a cell has as many. */
+bool mergeNarrow(Executor& executor, const EdgeMap& edges, const Plan& plan, int level,
+                 const VoteTable& child, VoteTable& parent)
+{
+    const int most = UCHAR_MAX + UCHAR_MAX / 4;
+    if (edges.weighted || child.depth > 1 || parent.depth == 1 || plan.level(level).maxVotes > most)
+        return false;
+    const int depth = parent.depth;
+    parent.depth = 1;
+    if (executor.mergeCellsNarrow(plan, level, child, parent))
+        return true;
+    parent.depth = depth;
+    return false;
+}
+
+} // namespace
+
 void countVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, bool exact, int level,
                 VoteTables& tables, StageTimes& times)
 {
@@ -27,8 +47,11 @@ void mergeVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, int 
 {
     for (int l = from + 1; l <= to; ++l)
     {
-        tables.of(l).allocate(plan.level(l), edges.depthFor(plan.level(l).maxVotes));
-        executor.mergeCells(plan, l, tables.of(l - 1), tables.of(l));
+        const VoteTable& child = tables.of(l - 1);
+        VoteTable& parent = tables.of(l);
+        parent.allocate(plan.level(l), edges.depthFor(plan.level(l).maxVotes));
+        if (!mergeNarrow(executor, edges, plan, l, child, parent))
+            executor.mergeCells(plan, l, child, parent);
         times.end(format("level %d", l));
     }
 }

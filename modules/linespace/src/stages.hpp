@@ -107,6 +107,14 @@ public:
     virtual void mergeCells(const Plan& plan, int level, const VoteTable& child,
                             VoteTable& parent) = 0;
 
+    /** The same for a child and a parent of one byte per vote, where the parent's could need more.
+    @return false if they do, or if it is not worth a try. */
+    virtual bool mergeCellsNarrow(const Plan&, int /*level*/, const VoteTable& /*child*/,
+                                  VoteTable& /*parent*/)
+    {
+        return false;
+    }
+
     /** METHOD_EXACT: the votes of every chord of the plan's only cell, by its raster; of an
     oriented map, of the pixels that vote for the chord's bin. */
     virtual void exactVotes(const EdgeMap& edges, const Plan& plan, VoteTable& table) = 0;

@@ -103,9 +103,54 @@ TEST_P(Linespace_VoteBound, white_image)
 INSTANTIATE_TEST_CASE_P(/**/, Linespace_VoteBound,
                         testing::Combine(LINESPACE_TEST_BACKENDS, testing::ValuesIn(whiteCases)));
 
+typedef testing::TestWithParam<tuple<int, Size>> Linespace_VoteBound_Reached;
+
+// Hardly any chord of a photograph has more votes than a byte holds, and a wrapped count is small:
+// the counters must notice a single one, in each cell, along rows, columns and diagonals.
+TEST_P(Linespace_VoteBound_Reached, by_one_chord_of_a_cell)
+{
+    const int backend = get<0>(GetParam()), cellSize = 8, side = 256;
+    if (backend == BACKEND_REFERENCE)
+        return; // slow, and without narrow counters
+    const Size size = get<1>(GetParam());
+    Ptr<LineSpaceDetector> detector =
+        LineSpaceDetector::create(1, 0, METHOD_CASCADED, cellSize, backend);
+    const brute::Cascade cascade = brute::cascadeOf(size, cellSize);
+    RNG rng(14);
+    const Mat1b few = randomEdges(size, 0.01, 14);
+    int level = cascade.levelCount() - 1;
+    while (cascade.cellSize(level).width > side || cascade.cellSize(level).height > side)
+        --level;
+    for (int pixels = 253; pixels <= side; ++pixels)
+        for (int direction = 0; direction < 3; ++direction)
+        {
+            Mat1b all = few.clone(), firstHalf = few.clone(), secondHalf = few.clone();
+            const Point corner(rng.uniform(0, size.width / side) * side,
+                               rng.uniform(0, size.height / side) * side);
+            const int offset = rng.uniform(0, side);
+            for (int i = 0; i < pixels; ++i)
+            {
+                const Point at = direction == 0   ? Point(i, offset)
+                                 : direction == 1 ? Point(offset, i)
+                                                  : Point(i, i);
+                all(corner + at) = 255;
+                (i < side / 2 ? firstHalf : secondHalf)(corner + at) = 255;
+            }
+            EXPECT_TRUE(expectSameTable(
+                levelVotes(*detector, all, level) + levelVotes(*detector, few, level),
+                levelVotes(*detector, firstHalf, level) + levelVotes(*detector, secondHalf, level),
+                TableOrigin(backend, size, cellSize, level, cascade.cellSize(level))))
+                << pixels << " pixels, direction " << direction;
+        }
+}
+
+INSTANTIATE_TEST_CASE_P(/**/, Linespace_VoteBound_Reached,
+                        testing::Combine(LINESPACE_TEST_BACKENDS,
+                                         testing::Values(Size(2048, 256), Size(256, 2048))));
+
 // Where the longest polyline needs one counter more than the longer side: the widths must not
 // follow from the side.
-TEST(Linespace_VoteBound_Reached, votes_exceed_the_side)
+TEST(Linespace_VoteBound_Longest, exceeds_the_side)
 {
     int most = 0;
     std::vector<brute::BinnedPixel> pixels;
