@@ -63,8 +63,8 @@ void collectAbove(int votes, bool isAlone, const Range& rows, const BundleLevel&
     CV_CPU_DISPATCH(collectAbove, (votes, isAlone, rows, level, found), CV_CPU_DISPATCH_MODES_ALL);
 }
 
-//! One bundle of so many tells how many survive a cut.
-const int SAMPLE = 16;
+//! So many bundles tell how many survive a cut.
+const size_t SAMPLES = 1 << 14;
 //! Of a level's bundles, in percent: where more are needed tables are faster.
 const int MOST_COUNTED = 50;
 
@@ -253,7 +253,8 @@ void BundleSearch::setLeast(const Plan& plan, const Wanted& wanted, int radius)
                 });
     histogram_.assign(USHRT_MAX + 1, 0);
     RNG random(1); // no period that a pattern could have as well
-    for (size_t i = 0; i < last.bundleCount(); i += 1 + random.uniform(0, 2 * SAMPLE - 1))
+    sampleStep_ = 1 + last.bundleCount() / SAMPLES;
+    for (size_t i = 0; i < last.bundleCount(); i += random.uniform(1, 2 * (int)sampleStep_))
         if (least_.empty() || last.bounds[i] >= least_[i])
             ++histogram_[last.bounds[i]];
     while (histogram_.size() > 1 && histogram_.back() == 0)
@@ -266,7 +267,7 @@ size_t BundleSearch::survivors(int cut) const
     size_t count = 0;
     for (int votes = (int)histogram_.size() - 1; votes > cut; --votes)
         count += histogram_[votes];
-    return SAMPLE * count;
+    return sampleStep_ * count;
 }
 
 //! The largest cut with about that many survivors, but not less than `least`.
@@ -275,7 +276,7 @@ int BundleSearch::cutFor(size_t count, int least) const
     int cut = (int)histogram_.size() - 1;
     for (size_t above = 0; cut > least; --cut)
     {
-        above += SAMPLE * histogram_[cut];
+        above += sampleStep_ * histogram_[cut];
         if (above >= count)
             break;
     }

@@ -57,7 +57,7 @@ struct BundleLevel
 class BundleSearch
 {
 public:
-    BundleSearch() : top_(0), usual_(-1), pause_(0), rest_(0) {}
+    BundleSearch() : top_(0), sampleStep_(1), usual_(-1), pause_(0), rest_(0) {}
 
     /** The level from whose table bundles take over; -1 if they cannot: frames of a few levels,
     cells whose sides are no multiples of BUNDLE_SIDE, votes of more than 16 bits. */
@@ -100,6 +100,7 @@ private:
     std::vector<ushort>
         least_; //!< with fewer votes no chord of a bundle of the last level is accepted
     std::vector<int> histogram_; //!< of some of the last level's bounds
+    size_t sampleStep_;          //!< one bundle of so many is among them, on average
     Size size_;                  //!< of the last image
     //! What cut the last image should have begun with, -1: none. The next one of a video hardly
     //! differs; what is found does not depend on it.

@@ -20,9 +20,9 @@ namespace linespace {
 
 namespace {
 
-void gatherPixels(const uchar* pixel, const size_t* offsets, size_t cells, uchar* plane)
+void gatherPixels(const uchar* row, int width, const size_t* offsets, size_t cells, uchar* planes)
 {
-    CV_CPU_DISPATCH(gatherPixels, (pixel, offsets, cells, plane), CV_CPU_DISPATCH_MODES_ALL);
+    CV_CPU_DISPATCH(gatherPixels, (row, width, offsets, cells, planes), CV_CPU_DISPATCH_MODES_ALL);
 }
 
 void gatherDirections(const ushort* pixel, const size_t* offsets, size_t cells, uchar* low,
@@ -236,15 +236,15 @@ private:
             cells.chosen.allocate(size);
         }
         for (int y = 0, plane = 0; y < cell.height; ++y)
+        {
+            gatherPixels(votes.ptr<uchar>(y), cell.width, offsets, count,
+                         cells.pixels.data() + plane * count);
             for (int x = 0; x < cell.width; ++x, ++plane)
-            {
-                gatherPixels(votes.ptr<uchar>(y) + x, offsets, count,
-                             cells.pixels.data() + plane * count);
                 if (!directions.empty())
                     gatherDirections(directions.ptr<ushort>(y) + x, offsets, count,
                                      cells.low.data() + plane * count,
                                      cells.high.data() + plane * count);
-            }
+        }
     }
 
     void countBlock(const Cell& cell, bool isOriented, const FirstCells& cells,

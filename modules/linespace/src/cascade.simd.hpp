@@ -11,6 +11,7 @@
 // child's length.
 
 #include "stages.hpp"
+#include "transposition.hpp"
 #include "vectors.hpp"
 
 namespace cv {
@@ -31,10 +32,11 @@ struct ExactMaps
 
 CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 
-/** The same pixel of many cells, side by side.
-@param pixel of the cell at the image's top-left corner.
-@param offsets of the cells from that one. */
-void gatherPixels(const uchar* pixel, const size_t* offsets, size_t cells, uchar* plane);
+/** The same pixels of many cells, side by side.
+@param row `width` pixels of the cell at the image's top-left corner.
+@param offsets of the cells from that one.
+@param planes of each of the pixels `cells` bytes, one after the other. */
+void gatherPixels(const uchar* row, int width, const size_t* offsets, size_t cells, uchar* planes);
 
 //! The same of 16 direction bits, in two bytes.
 void gatherDirections(const ushort* pixel, const size_t* offsets, size_t cells, uchar* low,
@@ -337,10 +339,29 @@ void exactRowOf(const Cell& frame, int s, const ExactMaps& maps, Votes* votes)
 
 } // namespace
 
-void gatherPixels(const uchar* pixel, const size_t* offsets, size_t cells, uchar* plane)
+void gatherPixels(const uchar* row, int width, const size_t* offsets, size_t cells, uchar* planes)
 {
-    for (size_t c = 0; c < cells; ++c)
-        plane[c] = pixel[offsets[c]];
+    size_t c = 0;
+#if LINESPACE_SIMD128
+    const int columns = 8, block = 16;
+    if (width >= columns)
+        for (; c + block <= cells; c += block)
+            for (int next = 0; next < width; next += columns)
+            {
+                // The last ones may have been among those before.
+                const int x = std::min(next, width - columns);
+                v_uint8x16 pixels[columns];
+                for (int i = 0; i < columns; ++i)
+                    pixels[i] = v_load_halves(row + offsets[c + 2 * i] + x,
+                                              row + offsets[c + 2 * i + 1] + x);
+                transposeBytes(pixels);
+                for (int i = 0; i < columns; ++i)
+                    v_store(planes + (x + i) * cells + c, pixels[i]);
+            }
+#endif
+    for (; c < cells; ++c)
+        for (int x = 0; x < width; ++x)
+            planes[x * cells + c] = row[offsets[c] + x];
 }
 
 void gatherDirections(const ushort* pixel, const size_t* offsets, size_t cells, uchar* low,

@@ -4,10 +4,69 @@
 
 #include "edge_planes.hpp"
 
+#include "transposition.hpp"
+
 #include <cstring>
 
 namespace cv {
 namespace linespace {
+
+namespace {
+
+const int BLOCK = 16;                // rows and columns that are transposed at once
+const int ROWS_PER_TASK = 4 * BLOCK; // the bytes of a cache line of a transposed row
+
+//! Zeros around an image of a plane, up to the frame and in the margins.
+void clearAround(const EdgePlanes::Plane& plane, Size image, Size frame)
+{
+    std::memset(plane.data - EdgePlanes::MARGIN, 0, EdgePlanes::MARGIN);
+    for (int y = 0; y < image.height; ++y)
+        std::memset(plane.row(y) + image.width, 0, plane.stride - image.width);
+    std::memset(plane.row(image.height), 0, (frame.height - image.height) * plane.stride);
+}
+
+void copyRow(const EdgeMap& edges, int plane, int y, uchar* out)
+{
+    if (plane == EdgePlanes::VOTES)
+    {
+        std::memcpy(out, edges.votes.ptr<uchar>(y), edges.votes.cols);
+        return;
+    }
+    const ushort* bits = edges.directions.ptr<ushort>(y);
+    const int shift = plane == EdgePlanes::LOW_BITS ? 0 : 8;
+    for (int x = 0; x < edges.directions.cols; ++x)
+        out[x] = (uchar)(bits[x] >> shift);
+}
+
+void transposePixels(const EdgePlanes::Plane& from, const Range& rows, const Range& columns,
+                     const EdgePlanes::Plane& to)
+{
+    for (int x = columns.start; x < columns.end; ++x)
+        for (int y = rows.start; y < rows.end; ++y)
+            to.row(x)[y] = from.row(y)[x];
+}
+
+void transposeRows(const EdgePlanes::Plane& from, const Range& rows, int width,
+                   const EdgePlanes::Plane& to)
+{
+    int y = rows.start, x = 0;
+#if LINESPACE_SIMD128
+    for (; x + BLOCK <= width; x += BLOCK)
+        for (y = rows.start; y + BLOCK <= rows.end; y += BLOCK)
+        {
+            v_uint8x16 block[BLOCK];
+            for (int i = 0; i < BLOCK; ++i)
+                block[i] = v_load(from.row(y + i) + x);
+            transposeBytes(block);
+            for (int i = 0; i < BLOCK; ++i)
+                v_store(to.row(x + i) + y, block[i]);
+        }
+#endif
+    transposePixels(from, Range(rows.start, y), Range(x, width), to);
+    transposePixels(from, Range(y, rows.end), Range(0, width), to);
+}
+
+} // namespace
 
 double EdgePlanes::memory(const Cell& frame, bool weighted, bool oriented)
 {
@@ -62,26 +121,18 @@ void EdgePlanes::reset(const EdgeMap& edges, const Cell& frame)
     {
         if (!has(i))
             continue;
-        Mat inner[2];
-        for (int copy = 0; copy < 2; ++copy)
-        {
-            const Plane& plane = planes_[copy][i];
-            std::memset(plane.data - MARGIN, 0, planeBytes(copy));
-            inner[copy] =
-                Mat(copy == 0 ? image.height : image.width, copy == 0 ? image.width : image.height,
-                    CV_8UC1, plane.data, plane.stride);
-        }
-        if (i == VOTES)
-            edges.votes.copyTo(inner[0]);
-        else
-            for (int y = 0; y < image.height; ++y)
-            {
-                const ushort* bits = edges.directions.ptr<ushort>(y);
-                uchar* out = upright()[i].row(y);
-                for (int x = 0; x < image.width; ++x)
-                    out[x] = (uchar)(i == LOW_BITS ? bits[x] : bits[x] >> 8);
-            }
-        transpose(inner[0], inner[1]);
+        const Plane &upright = planes_[0][i], &transposed = planes_[1][i];
+        clearAround(upright, image, Size(frame.width, frame.height));
+        clearAround(transposed, Size(image.height, image.width), Size(frame.height, frame.width));
+        parallel_for_(Range(0, (image.height + ROWS_PER_TASK - 1) / ROWS_PER_TASK),
+                      [&](const Range& range)
+                      {
+                          const Range rows(range.start * ROWS_PER_TASK,
+                                           std::min(image.height, range.end * ROWS_PER_TASK));
+                          for (int y = rows.start; y < rows.end; ++y)
+                              copyRow(edges, i, y, upright.row(y));
+                          transposeRows(upright, rows, image.width, transposed);
+                      });
     }
 }
 

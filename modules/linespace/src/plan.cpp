@@ -348,7 +348,8 @@ void Plan::leastVisibleLengths(int s, int firstEnd, int stride, int count, int s
     const bool isAcross = side == SIDE_TOP || side == SIDE_BOTTOM;
     const Point first = frame().borderPoint(firstEnd) - frame().borderPoint(s);
     const Point next(isAcross ? step : 0, isAcross ? 0 : step);
-    // Columns and rows that were added to the image: what a chord has there, as a share of it.
+    // Of columns that were added to the image, a chord that moves by more columns than rows can
+    // lose all, and of the rows what its slope makes of them.
     const int columns = frame().width - image_.width, rows = frame().height - image_.height;
     const bool isPadded = columns > 0 || rows > 0;
     for (int i = 0; i < count; ++i)
@@ -356,12 +357,16 @@ void Plan::leastVisibleLengths(int s, int firstEnd, int stride, int count, int s
         // Doubled; a step moves an end by one pixel at most, also around a corner.
         const int dx = std::max(0, std::abs(first.x + i * next.x) - 4 * steps),
                   dy = std::max(0, std::abs(first.y + i * next.y) - 4 * steps);
-        int length = std::max(dx, dy) / 2;
-        if (isPadded)
-            length = (int)(length * (1 - std::min(1., 2. * columns / std::max(1, dx) +
-                                                          2. * rows / std::max(1, dy))));
+        const int major = std::max(dx, dy);
         // An end may lose a pixel to rounding, the one on a far border another.
-        lengths[i] = std::max(0, length - 2);
+        int length = major / 2 - 2;
+        if (isPadded)
+        {
+            const int along = dx >= dy ? columns : rows, across = dx >= dy ? rows : columns;
+            const float lost = along + across * ((float)major / std::max(1, std::min(dx, dy)));
+            length -= (int)std::min(lost + 0.999f, (float)major);
+        }
+        lengths[i] = std::max(0, length);
     }
 }
 
