@@ -205,7 +205,8 @@ def write_stages(report):
 (child table, parent table); *touched*: what its instructions load and store (two loads for a sum of two). The *limit* is the
 largest of: moved bytes at the measured rate of the smallest place that holds them (copying; reading, where nothing is written); touched
 bytes at the measured rate of the first cache; adds at the rate measured in registers. The *fraction* is limit over measured time; stages whose work depends on the image have none. A store's fetch of its
-cache line is not counted, in the limits as in the work. A fraction above 1 is possible where the stage before left its table in a nearer cache.
+cache line is not counted, in the limits as in the work. Counters are taken to be as
+wide as a level's longest chord may need: where an image's votes fit a byte all the same (one level or two around 256 pixels), less is moved. A fraction above 1 is possible where the stage before left its table in a nearer cache.
 """)
     drawn = {}
     for threads in sorted(set(run.limits["threads"])):
