@@ -23,6 +23,10 @@ linespace_add_dispatched_file(opencv_linespace bundles AVX2 AVX512_SKX)
 linespace_add_dispatched_file(opencv_linespace cascade AVX2 AVX512_SKX)
 linespace_add_dispatched_file(opencv_linespace chord_lanes AVX2 AVX512_SKX)
 
+if(WITH_OPENCL)
+  include(linespace_opencl)
+endif()
+
 # __OPENCV_BUILD switches OpenCV's headers to its instruction sets and CPU dispatch, as in its tree.
 target_compile_definitions(opencv_linespace PRIVATE CVAPI_EXPORTS __OPENCV_BUILD=1)
 target_compile_options(opencv_linespace PRIVATE ${linespace_warnings})

@@ -4,6 +4,10 @@
 
 #include "backends.hpp"
 
+#include "ocl_cascade.hpp"
+
+#include <opencv2/core/utils/logger.hpp>
+
 #include <atomic>
 
 namespace cv {
@@ -22,7 +26,15 @@ const char* nameOf(int backend)
 
 bool isAvailable(int backend)
 {
-    return backend == BACKEND_REFERENCE || backend == BACKEND_CPU;
+    return backend == BACKEND_REFERENCE || backend == BACKEND_CPU ||
+           (backend == BACKEND_OPENCL && isOpenClActive());
+}
+
+Ptr<Executor> create(int backend)
+{
+    return backend == BACKEND_REFERENCE ? createReferenceExecutor()
+           : backend == BACKEND_OPENCL  ? createOpenClExecutor()
+                                        : createCpuExecutor();
 }
 
 } // namespace
@@ -40,21 +52,36 @@ int getDefaultBackend()
     return defaultBackend;
 }
 
-Ptr<Executor> executorFor(int backend, const Ptr<Executor>& kept)
+Ptr<Executor> executorFor(int backend, bool onDevice, const Ptr<Executor>& kept)
 {
     if (backend == BACKEND_AUTO)
     {
         backend = defaultBackend;
+        if (backend == BACKEND_AUTO && onDevice)
+            backend = BACKEND_OPENCL;
         if (!isAvailable(backend))
             backend = BACKEND_CPU;
     }
+    if (backend == BACKEND_OPENCL && !isAvailable(backend))
+        CV_Error(Error::OpenCLInitError,
+                 "backend = BACKEND_OPENCL: OpenCV uses no OpenCL device here "
+                 "(cv::ocl::useOpenCL() is false); must be another one");
     if (!isAvailable(backend))
-        CV_Error_(Error::StsNotImplemented, ("backend = %s is not part of this build: must be "
-                                             "BACKEND_AUTO, BACKEND_REFERENCE or BACKEND_CPU",
-                                             nameOf(backend)));
-    if (kept && kept->backend() == backend)
-        return kept;
-    return backend == BACKEND_REFERENCE ? createReferenceExecutor() : createCpuExecutor();
+        CV_Error_(Error::StsNotImplemented,
+                  ("backend = %s is not part of this build: must be BACKEND_AUTO, "
+                   "BACKEND_REFERENCE, BACKEND_CPU or BACKEND_OPENCL",
+                   nameOf(backend)));
+    return kept && kept->backend() == backend && kept->isUsable() ? kept : create(backend);
+}
+
+Ptr<Executor> substituteFor(int backend, const DeviceFailure& failure)
+{
+    if (backend != BACKEND_AUTO)
+        CV_Error_(Error::OpenCLApiCallError,
+                  ("backend = %s: %s; must be another one, or BACKEND_AUTO", nameOf(backend),
+                   failure.reason.c_str()));
+    CV_LOG_WARNING(NULL, "linespace: the CPU path runs, not the device: " << failure.reason);
+    return createCpuExecutor();
 }
 
 } // namespace linespace

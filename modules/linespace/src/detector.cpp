@@ -350,8 +350,6 @@ private:
         checkMemory(*plan, gradients.isOriented, level,
                     writesTable ? tableBytes(plan->level(level), image.size())
                                 : selectionBytes(*plan, gradients.isOriented));
-        const Ptr<Executor> executor = executorFor(parameters_.backend, executor_);
-
         edges.weighted = parameters_.edgeWeights;
         edges.votes = votingPixels(image);
         if (gradients.isOriented)
@@ -364,11 +362,18 @@ private:
             edges.dy = gradients.dy;
         }
         counting.plan = plan;
-        counting.executor = executor;
-        counting.level = writesTable ? level : levelForLines(*plan, *executor);
         counting.times.end("edge map");
-        countVotes(*executor, edges, *plan, parameters_.method == METHOD_EXACT, counting.level,
-                   tables_, counting.times);
+        counting.executor =
+            runOn(parameters_.backend, input.isUMat(), executor_,
+                  [&](Executor& executor)
+                  {
+                      if (&executor != executor_.get()) // tables of another device
+                          tables_.release();
+                      counting.level = writesTable ? level : levelForLines(*plan, executor);
+                      countVotes(executor, edges, *plan, parameters_.method == METHOD_EXACT,
+                                 counting.level, tables_, counting.times);
+                      executor.fetch(tables_.of(counting.level));
+                  });
         return counting;
     }
 

@@ -56,9 +56,13 @@ std::vector<GridLine> countedLines(const EdgeMap& edges, const HoughGrid& grid, 
         !isSparse && workingMemory(*plan, edges.weighted, false, last) <= MOST_TABLE_BYTES;
     if (hasTable)
     {
-        const Ptr<Executor> executor = executorFor(BACKEND_AUTO, Ptr<Executor>());
         StageTimes times;
-        countVotes(*executor, edges, *plan, false, last, tables, times);
+        runOn(BACKEND_AUTO, false, Ptr<Executor>(),
+              [&](Executor& executor)
+              {
+                  countVotes(executor, edges, *plan, false, last, tables, times);
+                  executor.fetch(tables.of(last));
+              });
     }
     const int needed = std::max(1, cvFloor(CHORD_SHARE * threshold));
 

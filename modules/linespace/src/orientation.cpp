@@ -95,6 +95,11 @@ int directionBin(int dx, int dy)
     return bin;
 }
 
+int endCosine(int bin)
+{
+    return END_COSINE[bin];
+}
+
 int directionBin(const Cell& cell, Chord chord)
 {
     const Point p = cell.borderPoint(chord.s), q = cell.borderPoint(chord.e);

@@ -22,6 +22,9 @@ enum
 right and y downwards. (dx, dy) is not (0, 0); each is less than 2^31 in size. */
 int directionBin(int dx, int dy);
 
+//! round(2^15 cos(b pi / 16)), by which the lower end of bin b is known.
+int endCosine(int bin);
+
 //! The bin of a chord, and its bit.
 int directionBin(const Cell& cell, Chord chord);
 inline ushort directionBit(const Cell& cell, Chord chord)

@@ -33,7 +33,7 @@ void countVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, bool
                 VoteTables& tables, StageTimes& times)
 {
     VoteTable& first = tables.of(0);
-    first.allocate(plan.level(0), edges.depthFor(plan.level(0).maxVotes));
+    executor.allocate(plan.level(0), edges.depthFor(plan.level(0).maxVotes), first);
     if (exact)
         executor.exactVotes(edges, plan, first);
     else
@@ -49,7 +49,7 @@ void mergeVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, int 
     {
         const VoteTable& child = tables.of(l - 1);
         VoteTable& parent = tables.of(l);
-        parent.allocate(plan.level(l), edges.depthFor(plan.level(l).maxVotes));
+        executor.allocate(plan.level(l), edges.depthFor(plan.level(l).maxVotes), parent);
         if (!mergeNarrow(executor, edges, plan, l, child, parent))
             executor.mergeCells(plan, l, child, parent);
         times.end(format("level %d", l));

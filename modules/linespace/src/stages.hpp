@@ -31,16 +31,17 @@ struct VoteTable
     size_t chords, cells;
     int depth;
     Buffer buffer;
+    UMat device; //!< the same on a device: a row of bytes; what is in buffer, fetch() tells
 
     VoteTable() : chords(0), cells(0), depth(0) {}
 
-    void allocate(const Level& level, int bytesPerVote)
+    void setShape(const Level& level, int bytesPerVote)
     {
         chords = level.cell.chordCount();
         cells = level.cellCount();
         depth = bytesPerVote;
-        buffer.allocate(chords * cells * depth + PADDING);
     }
+    size_t bytes() const { return chords * cells * depth; }
     template<class Votes>
     Votes* ptr() const
     {
@@ -86,6 +87,13 @@ struct EdgeMap
     }
 };
 
+//! A device cannot do what is asked for; the CPU path can.
+struct DeviceFailure
+{
+    String reason;
+    explicit DeviceFailure(const String& why) : reason(why) {}
+};
+
 /** One back end. Calls of one object come from one thread at a time; it may keep buffers between
 them. */
 class Executor
@@ -95,6 +103,19 @@ public:
 
     //! One of enum Backend.
     virtual int backend() const = 0;
+
+    //! Whether it still can run: a device may not be the one in use any more.
+    virtual bool isUsable() const { return true; }
+
+    //! Makes room for a level's votes of so many bytes, where the stages want them.
+    virtual void allocate(const Level& level, int bytesPerVote, VoteTable& table)
+    {
+        table.setShape(level, bytesPerVote);
+        table.buffer.allocate(table.bytes() + VoteTable::PADDING);
+    }
+
+    //! Puts the votes into table.buffer, where they are not there already.
+    virtual void fetch(VoteTable& /*table*/) {}
 
     /** Level 0 of the cascade: the votes of every chord of every cell, by its raster; of an
     oriented map, of the pixels that vote for the bin of that chord of the cell. Pixels of
@@ -139,8 +160,11 @@ struct VoteTables
     Buffer& besides(int level) { return of(level + 1).buffer; }
     void release()
     {
-        tables_[0].buffer.release();
-        tables_[1].buffer.release();
+        for (int i = 0; i < 2; ++i)
+        {
+            tables_[i].buffer.release();
+            tables_[i].device.release();
+        }
     }
 
 private:

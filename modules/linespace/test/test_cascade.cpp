@@ -225,29 +225,45 @@ TEST(Linespace_Grid, examples)
     }
 }
 
-// The reference computes the expected tables once; the others follow with 1, 2 and 5 threads.
-void checkBackends(const Mat& edges, int cellSize)
+// The reference computes the expected tables once; the others follow with 1, 2 and 5 threads, and
+// for a UMat.
+void checkBackends(const Mat& edges, int method, int cellSize)
 {
-    Ptr<LineSpaceDetector> reference =
-        LineSpaceDetector::create(1, 0, METHOD_CASCADED, cellSize, BACKEND_REFERENCE);
-    Ptr<LineSpaceDetector> cpu =
-        LineSpaceDetector::create(1, 0, METHOD_CASCADED, cellSize, BACKEND_CPU);
-    const brute::Cascade cascade = brute::cascadeOf(edges.size(), cellSize);
-    const int threads[] = {1, 2, 5};
-    for (int level = 0; level < cascade.levelCount(); ++level)
+    const Ptr<LineSpaceDetector> reference =
+        LineSpaceDetector::create(1, 0, method, cellSize, BACKEND_REFERENCE);
+    const std::vector<int> backends = comparedBackends();
+    std::vector<Ptr<LineSpaceDetector>> detectors;
+    for (size_t i = 0; i < backends.size(); ++i)
+        detectors.push_back(LineSpaceDetector::create(1, 0, method, cellSize, backends[i]));
+    UMat onDevice;
+    edges.copyTo(onDevice);
+    for (int level = 0, levels = 1; level < levels; ++level)
     {
         const Mat expected = levelOf(*reference, edges, level);
+        levels = reference->getLevelCount();
         ASSERT_EQ(BACKEND_REFERENCE, reference->getActiveBackend());
-        for (int i = 0; i < 3; ++i)
+        for (size_t i = 0; i < backends.size(); ++i)
         {
-            ThreadCount count(threads[i]);
-            const TableOrigin origin(BACKEND_CPU, edges.size(), cellSize, level,
-                                     cascade.cellSize(level));
-            ASSERT_TRUE(expectSameTable(levelOf(*cpu, edges, level), expected, origin))
-                << threads[i] << " threads";
-            ASSERT_EQ(BACKEND_CPU, cpu->getActiveBackend());
+            const TableOrigin origin(backends[i], edges.size(), cellSize, level,
+                                     reference->getLevelCellSize(level));
+            const int threads[] = {1, 2, 5};
+            for (int k = 0; k < (backends[i] == BACKEND_CPU ? 3 : 1); ++k)
+            {
+                ThreadCount count(threads[k]);
+                ASSERT_TRUE(expectSameTable(levelOf(*detectors[i], edges, level), expected, origin))
+                    << threads[k] << " threads";
+                ASSERT_EQ(backends[i], detectors[i]->getActiveBackend());
+            }
+            Mat table;
+            detectors[i]->computeLevel(onDevice, level, table);
+            ASSERT_TRUE(expectSameTable(table, expected, origin)) << "UMat";
         }
     }
+}
+
+void checkBackends(const Mat& edges, int cellSize)
+{
+    checkBackends(edges, METHOD_CASCADED, cellSize);
 }
 
 typedef testing::TestWithParam<int> Linespace_Backends; // the cell size
@@ -294,17 +310,7 @@ TEST(Linespace_Backends_Large, white)
 
 TEST(Linespace_Backends_Large, exact_method)
 {
-    const Size size(211, 173);
-    const Mat1b edges = randomEdges(size, 0.3, 4);
-    Mat expected, actual;
-    LineSpaceDetector::create(1, 0, METHOD_EXACT, 8, BACKEND_REFERENCE)->compute(edges, expected);
-    const int threads[] = {1, 2, 5};
-    for (int i = 0; i < 3; ++i)
-    {
-        ThreadCount count(threads[i]);
-        LineSpaceDetector::create(1, 0, METHOD_EXACT, 8, BACKEND_CPU)->compute(edges, actual);
-        ASSERT_TRUE(expectSameTable(actual, expected, TableOrigin(BACKEND_CPU, size, 8, 0, size)));
-    }
+    checkBackends(randomEdges(Size(211, 173), 0.3, 4), METHOD_EXACT, 8);
 }
 
 } // namespace

@@ -6,6 +6,8 @@
 
 #include "test_support.hpp"
 
+#include <opencv2/core/ocl.hpp>
+
 #include <cstdlib>
 
 namespace opencv_test {
@@ -23,10 +25,51 @@ const char* backendName(int backend)
     }
 }
 
+namespace {
+
+bool isSet(const char* variable, const std::string& value)
+{
+    const char* const own = std::getenv(variable);
+    return own && own == value;
+}
+
+bool findDevice()
+{
+    if (cv::ocl::useOpenCL())
+    {
+        std::cout << "OpenCL device of the tests: " << cv::ocl::Device::getDefault().name()
+                  << std::endl;
+        return true;
+    }
+    std::cout << "Tests on OpenCL are skipped: OpenCV uses no device (OPENCV_OPENCL_DEVICE=:CPU: "
+                 "allows processors)"
+              << std::endl;
+    if (isSet("LINESPACE_REQUIRE_BACKENDS", "1") && !isSet("OPENCV_OPENCL_RUNTIME", "disabled"))
+        CV_Error(Error::StsError, "an OpenCL device is required by LINESPACE_REQUIRE_BACKENDS");
+    return false;
+}
+
+} // namespace
+
+std::vector<int> comparedBackends()
+{
+    static const bool hasDevice = findDevice();
+    std::vector<int> backends(1, (int)BACKEND_CPU);
+    if (hasDevice)
+        backends.push_back(BACKEND_OPENCL);
+    return backends;
+}
+
+std::vector<int> testBackends()
+{
+    std::vector<int> backends = comparedBackends();
+    backends.insert(backends.begin(), (int)BACKEND_REFERENCE);
+    return backends;
+}
+
 void skipTest(const std::string& reason)
 {
-    const char* required = std::getenv("LINESPACE_REQUIRE_BACKENDS");
-    if (required && std::string(required) == "1")
+    if (isSet("LINESPACE_REQUIRE_BACKENDS", "1"))
         CV_Error(Error::StsError, "required, but it cannot run: " + reason);
     throw SkipTestException(reason);
 }

@@ -15,8 +15,13 @@ namespace opencv_test {
 
 using namespace cv::linespace;
 
-//! The back ends every test of votes runs on.
-#define LINESPACE_TEST_BACKENDS testing::Values((int)BACKEND_REFERENCE, (int)BACKEND_CPU)
+/** The back ends every test of votes runs on: the processor's, and OpenCL where OpenCV uses a device.
+Tells once which device that is, or why there is none, which with LINESPACE_REQUIRE_BACKENDS=1 is an
+error (but with OPENCV_OPENCL_RUNTIME=disabled). */
+std::vector<int> testBackends();
+//! The same without the reference: those that are compared with it.
+std::vector<int> comparedBackends();
+#define LINESPACE_TEST_BACKENDS testing::ValuesIn(testBackends())
 
 const char* backendName(int backend);
 

@@ -32,10 +32,12 @@ enum Method
 //! Which code counts them. All back ends give the same votes, bit by bit.
 enum Backend
 {
-    BACKEND_AUTO = 0,      //!< the process-wide default, see setDefaultBackend; else the CPU path
+    //! The process-wide default, see setDefaultBackend; else OpenCL for a UMat where OpenCV uses a
+    //! device, else the CPU path.
+    BACKEND_AUTO = 0,
     BACKEND_REFERENCE = 1, //!< scalar code that follows the definition; slow
     BACKEND_CPU = 2,       //!< vectorised and threaded through cv::parallel_for_
-    BACKEND_OPENCL = 3,    //!< cv::ocl; throws where it is not available
+    BACKEND_OPENCL = 3,    //!< votes on cv::ocl's device; throws where there is none
     BACKEND_OPENGL = 4     //!< compute shaders; throws where it is not available
 };
 

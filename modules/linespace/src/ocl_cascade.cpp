@@ -1,0 +1,466 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+#include "ocl_cascade.hpp"
+
+#include <cvconfig.h>
+
+#ifdef HAVE_OPENCL
+
+#include "cell_chords.hpp"
+
+#include "opencl_kernels_linespace.hpp"
+
+#include <opencv2/core/ocl.hpp>
+
+namespace cv {
+namespace linespace {
+
+namespace {
+
+const char* typeOf(int depth)
+{
+    return depth == 1 ? "uchar" : depth == 2 ? "ushort" : "int";
+}
+
+//! Makes a row of at least so many bytes on the device.
+void allocate(UMat& memory, size_t bytes)
+{
+    if (bytes <= (size_t)memory.cols)
+        return;
+    memory.release();
+    if (bytes > std::min<size_t>(ocl::Device::getDefault().maxMemAllocSize(), INT_MAX))
+        throw DeviceFailure(
+            format("%.0f MiB are more than the device gives at once", (double)bytes / (1 << 20)));
+    memory.create(1, (int)bytes, CV_8UC1);
+}
+
+template<class Element>
+void upload(const std::vector<Element>& from, UMat& memory)
+{
+    const int bytes = (int)(from.size() * sizeof(Element));
+    allocate(memory, bytes);
+    Mat(1, bytes, CV_8UC1, (void*)from.data()).copyTo(memory.colRange(0, bytes));
+}
+
+//! An image, for kernels that ask for its step and offset.
+const UMat& upload(const Mat& from, UMat& to)
+{
+    from.copyTo(to);
+    return to;
+}
+
+void download(const UMat& memory, size_t bytes, void* to)
+{
+    Mat result(1, (int)bytes, CV_8UC1, to);
+    memory.colRange(0, (int)bytes).copyTo(result);
+}
+
+ocl::KernelArg in(const UMat& memory)
+{
+    return ocl::KernelArg::PtrReadOnly(memory);
+}
+
+ocl::KernelArg out(const UMat& memory)
+{
+    return ocl::KernelArg::PtrWriteOnly(memory);
+}
+
+/** A kernel of the module's program. Each launch has one of its own: one that is in flight cannot be
+launched again. */
+class Launch
+{
+public:
+    Launch(const char* name, const String& options) : name_(name)
+    {
+        String errors;
+        const ocl::Program program =
+            ocl::Context::getDefault().getProg(ocl::linespace::cascade_oclsrc, options, errors);
+        if (!program.ptr() || !kernel_.create(name, program))
+            throw DeviceFailure(format("kernel %s is not built: %s", name, errors.c_str()));
+    }
+
+    template<class... Arguments>
+    Launch& with(const Arguments&... arguments)
+    {
+        kernel_.args(arguments...);
+        return *this;
+    }
+
+    /** Queues it, without waiting.
+    @param alongRows whether the work items of a group follow one another in the second dimension.
+    (A group's shape is always one of these two: some devices build a kernel for each.) */
+    void run(size_t width, size_t height, bool alongRows = false)
+    {
+        size_t items = LOCAL;
+        while (items > kernel_.workGroupSize())
+            items /= 2;
+        size_t local[2] = {alongRows ? 1 : items, alongRows ? items : 1},
+               global[2] = {width, height};
+        if (!kernel_.run(2, global, local, false))
+            throw DeviceFailure(format("kernel %s is not launched", name_));
+    }
+
+private:
+    enum
+    {
+        LOCAL = 64 //!< work items of a group; no kernel here shares anything within one
+    };
+    const char* name_;
+    ocl::Kernel kernel_;
+};
+
+//! A row of chords (s, e): of borderRows in cascade.cl.
+struct BorderRow
+{
+    int firstChord, count, segments, firstEnd;
+};
+
+//! As in cascade.cl.
+struct DeviceSegment
+{
+    int firstEnd, count, isCrossing, childS, chordS, strideS, chordE, strideE, stepE;
+    int numerator, numeratorStep, denominator, denominatorStep;
+};
+
+int asInt(double value)
+{
+    if (std::abs(value) > INT_MAX)
+        throw DeviceFailure("the frame is too large for 32-bit numbers");
+    return (int)value;
+}
+
+DeviceSegment deviceSegment(const Merge& merge, int s, const Segment& segment)
+{
+    DeviceSegment result = {segment.firstEnd,
+                            segment.count,
+                            segment.isCrossing,
+                            segment.childS,
+                            asInt((double)segment.chordS),
+                            (int)segment.strideS,
+                            asInt((double)segment.chordE),
+                            (int)segment.strideE,
+                            (int)segment.stepE,
+                            0,
+                            0,
+                            1,
+                            0};
+    if (!segment.isCrossing)
+        return result;
+    const CrossingRun run(merge, s, segment.firstEnd);
+    const double sign = run.denominator(0) < 0 ? -1 : 1, last = segment.count - 1;
+    asInt(run.numerator((int)last));
+    asInt(run.denominator((int)last));
+    result.numerator = asInt(sign * run.numerator(0));
+    result.numeratorStep = asInt(sign * (run.numerator(1) - run.numerator(0)));
+    result.denominator = asInt(sign * run.denominator(0));
+    result.denominatorStep = asInt(sign * (run.denominator(1) - run.denominator(0)));
+    return result;
+}
+
+std::vector<BorderRow> rowsOf(const Cell& cell)
+{
+    std::vector<BorderRow> rows;
+    for (int s = 0; s < cell.firstPoint(SIDE_LEFT); ++s)
+    {
+        const int side = cell.sideOf(s);
+        const BorderRow row = {asInt((double)cell.rowStart(s)), cell.rowLength(side), 0,
+                               cell.firstPartner(side)};
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+class OpenClExecutor : public Executor
+{
+public:
+    OpenClExecutor() : context_(ocl::Context::getDefault().ptr()), knowsCells_(false) {}
+
+    int backend() const CV_OVERRIDE { return BACKEND_OPENCL; }
+
+    bool isUsable() const CV_OVERRIDE { return context_ == ocl::Context::getDefault().ptr(); }
+
+    void clear() CV_OVERRIDE { *this = OpenClExecutor(); }
+
+    void allocate(const Level& level, int depth, VoteTable& table) CV_OVERRIDE
+    {
+        table.setShape(level, depth);
+        if (table.chords > INT_MAX)
+            throw DeviceFailure("the frame has too many chords for 32-bit numbers");
+        linespace::allocate(table.device, table.bytes());
+    }
+
+    void firstCells(const EdgeMap& edges, const Plan& plan, VoteTable& table) CV_OVERRIDE
+    {
+        prepare(plan);
+        const Level& level = plan.level(0);
+        const int pixels = level.cell.width * level.cell.height, cells = (int)table.cells;
+        if (!knowsCells_)
+            listCells(plan);
+        const UMat votes = upload(edges.votes, votes_);
+        linespace::allocate(gathered_, (size_t)pixels * cells);
+        Launch("gatherPixels", "-D FIRST_CELLS -D PARENT=uchar -D CELLS=1")
+            .with(ocl::KernelArg::ReadOnly(votes), in(corners_), cells, pixels, level.cell.width,
+                  out(gathered_))
+            .run(cells, pixels);
+        const int together = (int)std::min<size_t>(table.cells, MOST_TOGETHER);
+        const String options =
+            format("-D FIRST_CELLS -D PARENT=%s -D CELLS=%d", typeOf(table.depth), together);
+        if (!edges.isOriented())
+        {
+            Launch("firstCells", options)
+                .with(in(gathered_), in(pixels_), in(starts_), cells, (int)table.chords,
+                      out(table.device))
+                .run(cells / together, table.chords);
+            return;
+        }
+        const UMat directions = upload(edges.directions, directions_);
+        linespace::allocate(gatheredDirections_, (size_t)pixels * cells * sizeof(ushort));
+        Launch("gatherDirections", "-D FIRST_CELLS -D PARENT=uchar -D CELLS=1")
+            .with(ocl::KernelArg::ReadOnly(directions), in(corners_), cells, pixels,
+                  level.cell.width, out(gatheredDirections_))
+            .run(cells, pixels);
+        Launch("firstCells", options + " -D ORIENTED")
+            .with(in(gathered_), in(gatheredDirections_), in(bins_), in(pixels_), in(starts_),
+                  cells, (int)table.chords, out(table.device))
+            .run(cells / together, table.chords);
+    }
+
+    void mergeCells(const Plan& plan, int l, const VoteTable& child, VoteTable& parent) CV_OVERRIDE
+    {
+        prepare(plan);
+        LevelTables& level = levels_[l];
+        if (!level.isReady)
+            listRows(plan.merge(l), level);
+        const int together = (int)std::min<size_t>(parent.cells, MOST_TOGETHER);
+        const int run = chordsPerItem();
+        Launch("mergeCells",
+               format("-D MERGE -D MAX_SEGMENTS=%d -D RUN=%d -D CHILD=%s -D PARENT=%s -D CELLS=%d",
+                      MAX_SEGMENTS, run, typeOf(child.depth), typeOf(parent.depth), together))
+            .with(in(level.segments), in(level.rows), level.rowCount, (int)parent.cells,
+                  in(child.device), out(parent.device))
+            .run((level.longestRow + run - 1) / run, level.rowCount, run > 1);
+    }
+
+    void exactVotes(const EdgeMap& edges, const Plan& plan, VoteTable& table) CV_OVERRIDE
+    {
+        prepare(plan);
+        const Cell& frame = plan.frame();
+        checkRasters(frame);
+        LevelTables& level = levels_[0];
+        if (!level.isReady)
+        {
+            const std::vector<BorderRow> rows = rowsOf(frame);
+            upload(rows, level.rows);
+            level.setSize(rows);
+        }
+        const String options = format("-D EXACT -D PARENT=%s -D CELLS=1", typeOf(table.depth));
+        const UMat votes = upload(edges.votes, votes_);
+        if (!edges.isOriented())
+        {
+            Launch("exactVotes", options)
+                .with(ocl::KernelArg::ReadOnly(votes), in(level.rows), level.rowCount, frame.width,
+                      frame.height, out(table.device))
+                .run(level.longestRow, level.rowCount);
+            return;
+        }
+        const UMat directions = upload(edges.directions, directions_);
+        Launch("exactVotes", options + orientedOptions())
+            .with(ocl::KernelArg::ReadOnly(votes), ocl::KernelArg::ReadOnlyNoSize(directions),
+                  in(level.rows), level.rowCount, frame.width, frame.height, out(table.device))
+            .run(level.longestRow, level.rowCount);
+    }
+
+    void rescore(const EdgeMap& edges, const Plan& plan, const std::vector<Chord>& chords,
+                 std::vector<int>& votes) CV_OVERRIDE
+    {
+        votes.resize(chords.size());
+        if (chords.empty())
+            return;
+        prepare(plan);
+        const Cell& frame = plan.frame();
+        checkRasters(frame);
+        static_assert(sizeof(Chord) == 2 * sizeof(int), "an int2 of the device");
+        upload(chords, chords_);
+        linespace::allocate(sums_, votes.size() * sizeof(int));
+        const UMat map = upload(edges.votes, votes_);
+        const String options = "-D EXACT -D PARENT=int -D CELLS=1";
+        if (!edges.isOriented())
+            Launch("rescore", options)
+                .with(ocl::KernelArg::ReadOnly(map), in(chords_), (int)chords.size(), frame.width,
+                      frame.height, out(sums_))
+                .run(chords.size(), 1);
+        else
+        {
+            const UMat directions = upload(edges.directions, directions_);
+            Launch("rescore", options + orientedOptions())
+                .with(ocl::KernelArg::ReadOnly(map), ocl::KernelArg::ReadOnlyNoSize(directions),
+                      in(chords_), (int)chords.size(), frame.width, frame.height, out(sums_))
+                .run(chords.size(), 1);
+        }
+        download(sums_, votes.size() * sizeof(int), votes.data());
+    }
+
+    void fetch(VoteTable& table) CV_OVERRIDE
+    {
+        table.buffer.allocate(table.bytes() + VoteTable::PADDING);
+        download(table.device, table.bytes(), table.buffer.data());
+    }
+
+private:
+    enum
+    {
+        MOST_TOGETHER = 16 //!< cells of a work item
+    };
+
+    //! What the device needs to know of a level of the plan.
+    struct LevelTables
+    {
+        bool isReady;
+        UMat segments, rows;
+        int longestRow, rowCount;
+
+        LevelTables() : isReady(false), longestRow(0), rowCount(0) {}
+        void setSize(const std::vector<BorderRow>& borderRows)
+        {
+            rowCount = (int)borderRows.size();
+            for (int s = 0; s < rowCount; ++s)
+                longestRow = std::max(longestRow, borderRows[s].count);
+            isReady = true;
+        }
+    };
+    /** Consecutive chords that a work item merges. A processor does what they share once and
+    reads on in the lines of its cache; on other devices neighbouring work items read neighbouring
+    bytes. */
+    static int chordsPerItem()
+    {
+        const bool isProcessor = ocl::Device::getDefault().type() == ocl::Device::TYPE_CPU;
+        return isProcessor ? 64 : 1;
+    }
+
+    //! Forgets what is known of another plan.
+    void prepare(const Plan& plan)
+    {
+        const Cell& cell = plan.level(0).cell;
+        const Vec<int, 5> key(plan.imageSize().width, plan.imageSize().height, cell.width,
+                              cell.height, plan.levelCount());
+        if (plan_ == key)
+            return;
+        plan_ = key;
+        levels_.assign(plan.levelCount(), LevelTables());
+        knowsCells_ = false;
+    }
+
+    //! The corners of the cells of level 0 in the order of the table, and the pixels of its chords.
+    void listCells(const Plan& plan)
+    {
+        const Level& level = plan.level(0);
+        std::vector<int> rowBits, columnBits;
+        plan.cellOrder(0, rowBits, columnBits);
+        std::vector<int> corners(2 * level.cellCount());
+        for (int row = 0; row < level.grid.height; ++row)
+            for (int column = 0; column < level.grid.width; ++column)
+            {
+                int* const corner = &corners[2 * (rowBits[row] + columnBits[column])];
+                corner[0] = column * level.cell.width;
+                corner[1] = row * level.cell.height;
+            }
+        upload(corners, corners_);
+
+        std::vector<ushort> pixels;
+        std::vector<int> starts;
+        std::vector<uchar> bins;
+        for (int s = 0; s < level.cell.firstPoint(SIDE_LEFT); ++s)
+            for (int e = level.cell.firstPartner(level.cell.sideOf(s));
+                 e < level.cell.borderCount(); ++e)
+            {
+                const Chord chord = {s, e};
+                starts.push_back((int)pixels.size());
+                bins.push_back((uchar)directionBin(level.cell, chord));
+                Raster(level.cell, chord)
+                    .forEachPixel([&](int x, int y)
+                                  { pixels.push_back((ushort)(y * level.cell.width + x)); });
+            }
+        starts.push_back((int)pixels.size());
+        pixels.push_back(0); // cells of one pixel have chords without any
+        upload(pixels, pixels_);
+        upload(starts, starts_);
+        upload(bins, bins_);
+        knowsCells_ = true;
+    }
+
+    static void listRows(const Merge& merge, LevelTables& level)
+    {
+        std::vector<BorderRow> rows = rowsOf(merge.parent);
+        std::vector<DeviceSegment> segments(rows.size() * MAX_SEGMENTS);
+        for (int s = 0; s < (int)rows.size(); ++s)
+        {
+            Segment own[MAX_SEGMENTS];
+            rows[s].segments = rowSegments(merge, s, own);
+            for (int k = 0; k < rows[s].segments; ++k)
+                segments[s * MAX_SEGMENTS + k] = deviceSegment(merge, s, own[k]);
+        }
+        upload(segments, level.segments);
+        upload(rows, level.rows);
+        level.setSize(rows);
+    }
+
+    //! Products of the kernel's rasters have 32 bits.
+    static void checkRasters(const Cell& frame)
+    {
+        asInt(4. * frame.width * frame.height + 2. * std::max(frame.width, frame.height));
+    }
+
+    static String orientedOptions()
+    {
+        String options = format(" -D ORIENTED -D BINS=%d -D END_COSINES=", DIRECTION_BINS);
+        for (int bin = 0; bin < DIRECTION_BINS; ++bin)
+            options += format(bin > 0 ? ",%d" : "%d", endCosine(bin));
+        return options;
+    }
+
+    void* context_;
+    Vec<int, 5> plan_; //!< what tells plans apart
+    bool knowsCells_;
+    std::vector<LevelTables> levels_;
+    UMat corners_, pixels_, starts_, bins_; //!< of cells and chords of level 0
+    UMat votes_, directions_;               //!< the edge map
+    UMat gathered_, gatheredDirections_;
+    UMat chords_, sums_; //!< of rescore
+};
+
+} // namespace
+
+bool isOpenClActive()
+{
+    return ocl::useOpenCL();
+}
+
+Ptr<Executor> createOpenClExecutor()
+{
+    return makePtr<OpenClExecutor>();
+}
+
+} // namespace linespace
+} // namespace cv
+
+#else
+
+namespace cv {
+namespace linespace {
+
+bool isOpenClActive()
+{
+    return false;
+}
+
+Ptr<Executor> createOpenClExecutor()
+{
+    throw DeviceFailure("built without OpenCL");
+}
+
+} // namespace linespace
+} // namespace cv
+
+#endif

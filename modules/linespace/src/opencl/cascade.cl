@@ -1,0 +1,267 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// The cascade on a device (doc/algorithm.md, section 3). Tables are in the order of stages.hpp,
+// [chord][cell]. What chords and crossings are is the plan's, in tables: nothing here derives
+// geometry of its own.
+//
+// CHILD, PARENT: types of votes. CELLS: how many cells are taken at a time, a power of two up to 16.
+
+#define CONCAT_(a, b) a##b
+#define CONCAT(a, b) CONCAT_(a, b)
+
+#if CELLS == 1
+#define VECTOR(type) type
+#define LOAD(from) (*(from))
+#define STORE(value, to) (*(to) = (value))
+#else
+#define VECTOR(type) CONCAT(type, CELLS)
+#define LOAD(from) CONCAT(vload, CELLS)(0, from)
+#define STORE(value, to) CONCAT(vstore, CELLS)(value, 0, to)
+#endif
+#define CONVERT(type, value) CONCAT(convert_, VECTOR(type))(value)
+
+/* The floor of a quotient >= 0, exactly: the estimate is wrong by one at most. */
+inline int quotient(int numerator, int denominator)
+{
+    int result = (int)((float)numerator / (float)denominator);
+    const int rest = numerator - result * denominator;
+    return result + (rest >= denominator) - (rest < 0);
+}
+
+#ifdef FIRST_CELLS
+
+/* Votes of the pixels of cells, side by side: that of pixel y cellWidth + x of a cell stands at
+planes[pixel * cells + cell], 0 beyond the image. Global size: cells, pixels of a cell. */
+__kernel void gatherPixels(__global const uchar* image, int step, int offset, int rows, int columns,
+                           __global const int* corners, int cells, int pixels, int cellWidth,
+                           __global uchar* planes)
+{
+    const int cell = get_global_id(0), pixel = get_global_id(1);
+    if (cell >= cells || pixel >= pixels)
+        return;
+    const int x = corners[2 * cell] + pixel % cellWidth, y = corners[2 * cell + 1] + pixel / cellWidth;
+    planes[(size_t)pixel * cells + cell] =
+        x < columns && y < rows ? image[offset + y * step + x] : (uchar)0;
+}
+
+__kernel void gatherDirections(__global const uchar* image, int step, int offset, int rows,
+                               int columns, __global const int* corners, int cells, int pixels, int cellWidth,
+                               __global ushort* planes)
+{
+    const int cell = get_global_id(0), pixel = get_global_id(1);
+    if (cell >= cells || pixel >= pixels)
+        return;
+    const int x = corners[2 * cell] + pixel % cellWidth, y = corners[2 * cell + 1] + pixel / cellWidth;
+    planes[(size_t)pixel * cells + cell] =
+        x < columns && y < rows
+            ? *(__global const ushort*)(image + offset + y * step + x * (int)sizeof(ushort))
+            : (ushort)0;
+}
+
+/* Level 0. Chord i has the pixels pixels[starts[i]] .. pixels[starts[i + 1] - 1] and votes for bin
+bins[i]. Global size: cells / CELLS, chords. */
+__kernel void firstCells(__global const uchar* planes,
+#ifdef ORIENTED
+                         __global const ushort* directions, __global const uchar* bins,
+#endif
+                         __global const ushort* pixels, __global const int* starts, int cells,
+                         int chords, __global PARENT* table)
+{
+    const int cell = get_global_id(0) * CELLS, chord = get_global_id(1);
+    if (cell >= cells || chord >= chords)
+        return;
+    VECTOR(PARENT) sum = 0;
+    const int end = starts[chord + 1];
+    for (int i = starts[chord]; i < end; ++i)
+    {
+        const size_t at = (size_t)pixels[i] * cells + cell;
+        VECTOR(uchar) votes = LOAD(planes + at);
+#ifdef ORIENTED
+        const VECTOR(ushort) voting = LOAD(directions + at) >> (ushort)bins[chord] & (ushort)1;
+        votes *= CONVERT(uchar, voting);
+#endif
+        sum += CONVERT(PARENT, votes);
+    }
+    STORE(sum, table + (size_t)chord * cells + cell);
+}
+
+#endif // FIRST_CELLS
+
+#ifdef MERGE
+
+/* A run of chords of one row of the parent, as struct Segment in plan.hpp; the crossing of chord
+firstEnd + i is (numerator + i numeratorStep) / (denominator + i denominatorStep), rounded down. */
+typedef struct
+{
+    int firstEnd, count, isCrossing, childS, chordS, strideS, chordE, strideE, stepE;
+    int numerator, numeratorStep, denominator, denominatorStep;
+} Segment;
+
+/* One level from the one below, RUN chords of a row at a time. Row s has the segments from
+segments[MAX_SEGMENTS * s] on; its first chord is rows[s].x, their number rows[s].y, that of its
+segments rows[s].z, its first end rows[s].w. Global size: runs of the longest row, rows. */
+__kernel void mergeCells(__global const Segment* segments, __global const int4* rows, int rowCount,
+                         int cells, __global const CHILD* child, __global PARENT* parent)
+{
+    const int s = get_global_id(1);
+    if (s >= rowCount)
+        return;
+    const int4 row = rows[s];
+    const int begin = row.w + (int)get_global_id(0) * RUN, end = min(begin + RUN, row.w + row.y);
+    const size_t run = 2 * (size_t)cells;
+    __global const Segment* segment = segments + s * MAX_SEGMENTS;
+    for (int k = 1; k < row.z && begin >= segment[1].firstEnd; ++k)
+        ++segment;
+    __global PARENT* out = parent + (size_t)(row.x + begin - row.w) * cells;
+    for (int e = begin; e < end; ++segment)
+    {
+        const int first = e - segment->firstEnd, count = min(end - e, segment->count - first);
+        const int childS = segment->childS;
+        e += count;
+        if (!segment->isCrossing)
+        {
+            __global const CHILD* own =
+                child + (segment->chordS + first) * run + childS * cells;
+            for (int i = 0; i < count; ++i, own += run, out += cells)
+                for (int cell = 0; cell < cells; cell += CELLS)
+                    STORE(CONVERT(PARENT, LOAD(own + cell)), out + cell);
+            continue;
+        }
+        const int numerator = segment->numerator + first * segment->numeratorStep;
+        const int denominator = segment->denominator + first * segment->denominatorStep;
+        const int numeratorStep = segment->numeratorStep;
+        const int denominatorStep = segment->denominatorStep;
+        int crossings[RUN];
+        for (int i = 0; i < count; ++i)
+            crossings[i] =
+                quotient(numerator + i * numeratorStep, denominator + i * denominatorStep);
+        __global const CHILD* const partS = child + segment->chordS * run + childS * cells;
+        __global const CHILD* partE =
+            child + (segment->chordE + first * segment->stepE) * (long)run + (1 - childS) * cells;
+        const long strideS = segment->strideS * (long)run, strideE = segment->strideE * (long)run;
+        const long stepE = segment->stepE * (long)run;
+        for (int i = 0; i < count; ++i, partE += stepE, out += cells)
+            for (int cell = 0; cell < cells; cell += CELLS)
+                STORE(CONVERT(PARENT, LOAD(partS + crossings[i] * strideS + cell)) +
+                          CONVERT(PARENT, LOAD(partE + crossings[i] * strideE + cell)),
+                      out + cell);
+    }
+}
+
+#endif // MERGE
+
+#ifdef EXACT
+
+/* Where border point p of a frame is, in doubled coordinates (Cell::borderPoint). */
+inline int2 borderPoint(int width, int height, int p)
+{
+    if (p < width)
+        return (int2)(2 * p + 1, 0);
+    p -= width;
+    if (p < height)
+        return (int2)(2 * width, 2 * p + 1);
+    p -= height;
+    if (p < width)
+        return (int2)(2 * (width - p) - 1, 2 * height);
+    p -= width;
+    return (int2)(0, 2 * (height - p) - 1);
+}
+
+#ifdef ORIENTED
+__constant int END_COSINE[] = {END_COSINES};
+
+/* The bin of the direction of a chord, as directionBin in orientation.cpp. */
+inline int directionBin(int2 direction)
+{
+    if (direction.y < 0 || (direction.y == 0 && direction.x < 0))
+        direction = -direction;
+    int bin = 0;
+    for (int span = BINS / 2; span > 0; span /= 2)
+        bin += span * ((long)END_COSINE[bin + span] * direction.y -
+                            (long)END_COSINE[abs(BINS / 2 - bin - span)] * direction.x >=
+                        0);
+    return bin;
+}
+#define DIRECTIONS_PARAMETERS , __global const uchar *directions, int directionStep, int directionOffset
+#define DIRECTIONS_ARGUMENTS , directions, directionStep, directionOffset
+#else
+#define DIRECTIONS_PARAMETERS
+#define DIRECTIONS_ARGUMENTS
+#endif
+
+/* The votes of chord (s, e) of a frame: those of the pixels of its raster, as struct Raster in
+plan.hpp; of an oriented map, of those that vote for the chord's bin. */
+inline int votesOfChord(int width, int height, int s, int e, __global const uchar* image, int step,
+                        int offset, int rows, int columns DIRECTIONS_PARAMETERS)
+{
+    int2 p = borderPoint(width, height, s), q = borderPoint(width, height, e);
+#ifdef ORIENTED
+    const ushort bit = (ushort)(1 << directionBin(q - p));
+#endif
+    const int xMajor = abs(q.x - p.x) >= abs(q.y - p.y);
+    if (!xMajor)
+    {
+        p = p.yx;
+        q = q.yx;
+    }
+    if (q.x < p.x)
+    {
+        const int2 other = p;
+        p = q;
+        q = other;
+    }
+    const int dx = q.x - p.x, dy = q.y - p.y, modulus = 2 * dx, slope = 2 * dy;
+    const int first = p.x / 2, last = (q.x - 1) / 2;
+    const int numerator = p.y * dx + dy * (2 * first + 1 - p.x);
+    int minor = quotient(numerator, modulus), rest = numerator - minor * modulus;
+    /* A pixel at an end on the right or bottom border is beyond the image. */
+    int sum = 0;
+    for (int major = first; major <= last; ++major)
+    {
+        const int x = xMajor ? major : minor, y = xMajor ? minor : major;
+        if (x < columns && y < rows)
+        {
+            const int votes = image[offset + y * step + x];
+#ifdef ORIENTED
+            if (*(__global const ushort*)(directions + directionOffset + y * directionStep +
+                                          x * (int)sizeof(ushort)) &
+                bit)
+#endif
+                sum += votes;
+        }
+        rest += slope;
+        const int over = rest >= modulus, under = rest < 0;
+        rest += (under - over) * modulus;
+        minor += over - under;
+    }
+    return sum;
+}
+
+/* METHOD_EXACT: rows as those of mergeCells. Global size: most chords of a row, rows. */
+__kernel void exactVotes(__global const uchar* image, int step, int offset, int rows,
+                         int columns DIRECTIONS_PARAMETERS, __global const int4* borderRows,
+                         int rowCount, int width, int height, __global PARENT* table)
+{
+    const int i = get_global_id(0), s = get_global_id(1);
+    if (s >= rowCount)
+        return;
+    const int4 row = borderRows[s];
+    if (i < row.y)
+        table[row.x + i] = (PARENT)votesOfChord(width, height, s, row.w + i, image, step, offset,
+                                                rows, columns DIRECTIONS_ARGUMENTS);
+}
+
+/* The same of a list of chords. Global size: chords. */
+__kernel void rescore(__global const uchar* image, int step, int offset, int rows,
+                      int columns DIRECTIONS_PARAMETERS, __global const int2* chords, int count,
+                      int width, int height, __global int* votes)
+{
+    const int i = get_global_id(0);
+    if (i < count)
+        votes[i] = votesOfChord(width, height, chords[i].x, chords[i].y, image, step, offset, rows,
+                                columns DIRECTIONS_ARGUMENTS);
+}
+
+#endif // EXACT
