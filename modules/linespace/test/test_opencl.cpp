@@ -1,0 +1,119 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// When the OpenCL path runs; that it counts the same is a matter of the tests of all back ends.
+
+#include "test_precomp.hpp"
+
+#include "generators.hpp"
+#include "test_support.hpp"
+
+#include <opencv2/core/ocl.hpp>
+
+namespace opencv_test {
+namespace {
+
+using namespace generators;
+
+typedef std::vector<Vec3f> Lines;
+
+//! OpenCV uses OpenCL in this thread, or does not, as long as it lives.
+class UseOpenCl
+{
+public:
+    explicit UseOpenCl(bool use) : before_(cv::ocl::useOpenCL()) { cv::ocl::setUseOpenCL(use); }
+    ~UseOpenCl() { cv::ocl::setUseOpenCL(before_); }
+
+private:
+    const bool before_;
+};
+
+bool hasDevice()
+{
+    return comparedBackends().back() == BACKEND_OPENCL;
+}
+
+class Linespace_OpenCl : public testing::Test
+{
+protected:
+    Linespace_OpenCl() : edges(randomEdges(Size(90, 70), 0.2, 1)), expected()
+    {
+        edges.copyTo(onDevice);
+        detectorFor(BACKEND_CPU)->detect(edges, expected);
+    }
+    static Ptr<LineSpaceDetector> detectorFor(int backend)
+    {
+        return LineSpaceDetector::create(20, 0, METHOD_CASCADED, 8, backend);
+    }
+
+    const Mat1b edges;
+    UMat onDevice;
+    Lines expected;
+};
+
+TEST_F(Linespace_OpenCl, auto_takes_it_for_a_umat)
+{
+    const Ptr<LineSpaceDetector> detector = detectorFor(BACKEND_AUTO);
+    for (int round = 0; round < 2; ++round)
+    {
+        Lines lines;
+        detector->detect(onDevice, lines);
+        EXPECT_EQ(hasDevice() ? BACKEND_OPENCL : BACKEND_CPU, detector->getActiveBackend());
+        EXPECT_EQ(expected, lines);
+        detector->detect(edges, lines);
+        EXPECT_EQ(BACKEND_CPU, detector->getActiveBackend());
+        EXPECT_EQ(expected, lines);
+    }
+}
+
+TEST_F(Linespace_OpenCl, a_named_one_takes_any_array)
+{
+    if (!hasDevice())
+        throw SkipTestException("no OpenCL device");
+    const Ptr<LineSpaceDetector> detector = detectorFor(BACKEND_OPENCL);
+    Lines fromMat, fromUMat;
+    UMat lines;
+    detector->detect(edges, fromMat);
+    detector->detect(onDevice, fromUMat);
+    detector->detect(onDevice, lines);
+    EXPECT_EQ(BACKEND_OPENCL, detector->getActiveBackend());
+    EXPECT_EQ(expected, fromMat);
+    EXPECT_EQ(expected, fromUMat);
+    EXPECT_EQ(0, cvtest::norm(Mat(expected), lines.getMat(ACCESS_READ), NORM_INF));
+}
+
+TEST_F(Linespace_OpenCl, switched_off)
+{
+    const UseOpenCl off(false);
+    const Lines sentinel(2, Vec3f(1, 2, 3));
+    Lines lines = sentinel;
+    EXPECT_EQ("", wrongException([&]() { detectorFor(BACKEND_OPENCL)->detect(edges, lines); },
+                                 {"backend", "BACKEND_OPENCL", "device"}));
+    EXPECT_EQ(sentinel, lines);
+    const Ptr<LineSpaceDetector> detector = detectorFor(BACKEND_AUTO);
+    detector->detect(onDevice, lines);
+    EXPECT_EQ(BACKEND_CPU, detector->getActiveBackend());
+    EXPECT_EQ(expected, lines);
+}
+
+TEST_F(Linespace_OpenCl, the_default_back_end_of_the_process)
+{
+    if (!hasDevice())
+        throw SkipTestException("no OpenCL device");
+    std::vector<Vec3f> byCpu, byDevice;
+    cv::linespace::HoughLines(edges, byCpu, 1, CV_PI / 900, 20);
+    setDefaultBackend(BACKEND_OPENCL);
+    const Ptr<LineSpaceDetector> detector = detectorFor(BACKEND_AUTO);
+    Lines lines;
+    detector->detect(edges, lines);
+    const int active = detector->getActiveBackend();
+    cv::linespace::HoughLines(edges, byDevice, 1, CV_PI / 900, 20);
+    setDefaultBackend(BACKEND_AUTO);
+    EXPECT_EQ(BACKEND_OPENCL, active);
+    EXPECT_EQ(expected, lines);
+    EXPECT_EQ(byCpu, byDevice);
+}
+
+} // namespace
+} // namespace opencv_test
