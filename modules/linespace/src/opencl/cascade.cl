@@ -13,14 +13,15 @@
 
 #if CELLS == 1
 #define VECTOR(type) type
-#define LOAD(from) (*(from))
-#define STORE(value, to) (*(to) = (value))
 #else
 #define VECTOR(type) CONCAT(type, CELLS)
-#define LOAD(from) CONCAT(vload, CELLS)(0, from)
-#define STORE(value, to) CONCAT(vstore, CELLS)(value, 0, to)
 #endif
 #define CONVERT(type, value) CONCAT(convert_, VECTOR(type))(value)
+
+/* Runs of cells are aligned: CELLS divides their number, and a buffer begins at any vector's
+boundary. (vloadn and vstoren, which ask for less, are single bytes on some devices.) */
+#define CELLS_AT(type, from) (*(__global VECTOR(type)*)(from))
+#define CONST_CELLS_AT(type, from) (*(__global const VECTOR(type)*)(from))
 
 /* The floor of a quotient >= 0, exactly: the estimate is wrong by one at most. */
 inline int quotient(int numerator, int denominator)
@@ -77,19 +78,21 @@ __kernel void firstCells(__global const uchar* planes,
     for (int i = starts[chord]; i < end; ++i)
     {
         const size_t at = (size_t)pixels[i] * cells + cell;
-        VECTOR(uchar) votes = LOAD(planes + at);
+        VECTOR(uchar) votes = CONST_CELLS_AT(uchar, planes + at);
 #ifdef ORIENTED
-        const VECTOR(ushort) voting = LOAD(directions + at) >> (ushort)bins[chord] & (ushort)1;
+        const VECTOR(ushort) voting = CONST_CELLS_AT(ushort, directions + at) >> (ushort)bins[chord] & (ushort)1;
         votes *= CONVERT(uchar, voting);
 #endif
         sum += CONVERT(PARENT, votes);
     }
-    STORE(sum, table + (size_t)chord * cells + cell);
+    CELLS_AT(PARENT, table + (size_t)chord * cells + cell) = sum;
 }
 
 #endif // FIRST_CELLS
 
 #ifdef MERGE
+
+#define CHILD_AT(from) CONVERT(PARENT, CONST_CELLS_AT(CHILD, from))
 
 /* A run of chords of one row of the parent, as struct Segment in plan.hpp; the crossing of chord
 firstEnd + i is (numerator + i numeratorStep) / (denominator + i denominatorStep), rounded down. */
@@ -126,7 +129,7 @@ __kernel void mergeCells(__global const Segment* segments, __global const int4* 
                 child + (segment->chordS + first) * run + childS * cells;
             for (int i = 0; i < count; ++i, own += run, out += cells)
                 for (int cell = 0; cell < cells; cell += CELLS)
-                    STORE(CONVERT(PARENT, LOAD(own + cell)), out + cell);
+                    CELLS_AT(PARENT, out + cell) = CHILD_AT(own + cell);
             continue;
         }
         const int numerator = segment->numerator + first * segment->numeratorStep;
@@ -144,9 +147,8 @@ __kernel void mergeCells(__global const Segment* segments, __global const int4* 
         const long stepE = segment->stepE * (long)run;
         for (int i = 0; i < count; ++i, partE += stepE, out += cells)
             for (int cell = 0; cell < cells; cell += CELLS)
-                STORE(CONVERT(PARENT, LOAD(partS + crossings[i] * strideS + cell)) +
-                          CONVERT(PARENT, LOAD(partE + crossings[i] * strideE + cell)),
-                      out + cell);
+                CELLS_AT(PARENT, out + cell) = CHILD_AT(partS + crossings[i] * strideS + cell) +
+                                               CHILD_AT(partE + crossings[i] * strideE + cell);
     }
 }
 
