@@ -42,19 +42,21 @@ __kernel void gatherPixels(__global const uchar* image, int step, int offset, in
     const int cell = get_global_id(0), pixel = get_global_id(1);
     if (cell >= cells || pixel >= pixels)
         return;
-    const int x = corners[2 * cell] + pixel % cellWidth, y = corners[2 * cell + 1] + pixel / cellWidth;
+    const int x = corners[2 * cell] + pixel % cellWidth,
+              y = corners[2 * cell + 1] + pixel / cellWidth;
     planes[(size_t)pixel * cells + cell] =
         x < columns && y < rows ? image[offset + y * step + x] : (uchar)0;
 }
 
 __kernel void gatherDirections(__global const uchar* image, int step, int offset, int rows,
-                               int columns, __global const int* corners, int cells, int pixels, int cellWidth,
-                               __global ushort* planes)
+                               int columns, __global const int* corners, int cells, int pixels,
+                               int cellWidth, __global ushort* planes)
 {
     const int cell = get_global_id(0), pixel = get_global_id(1);
     if (cell >= cells || pixel >= pixels)
         return;
-    const int x = corners[2 * cell] + pixel % cellWidth, y = corners[2 * cell + 1] + pixel / cellWidth;
+    const int x = corners[2 * cell] + pixel % cellWidth,
+              y = corners[2 * cell + 1] + pixel / cellWidth;
     planes[(size_t)pixel * cells + cell] =
         x < columns && y < rows
             ? *(__global const ushort*)(image + offset + y * step + x * (int)sizeof(ushort))
@@ -80,7 +82,8 @@ __kernel void firstCells(__global const uchar* planes,
         const size_t at = (size_t)pixels[i] * cells + cell;
         VECTOR(uchar) votes = CONST_CELLS_AT(uchar, planes + at);
 #ifdef ORIENTED
-        const VECTOR(ushort) voting = CONST_CELLS_AT(ushort, directions + at) >> (ushort)bins[chord] & (ushort)1;
+        const VECTOR(ushort) voting =
+            CONST_CELLS_AT(ushort, directions + at) >> (ushort)bins[chord] & (ushort)1;
         votes *= CONVERT(uchar, voting);
 #endif
         sum += CONVERT(PARENT, votes);
@@ -92,6 +95,13 @@ __kernel void firstCells(__global const uchar* planes,
 
 #ifdef MERGE
 
+/* The cells that one item takes: where there are fewer than a full vector's, their number is known
+when compiling. */
+#if CELLS < 16
+#define CELL_COUNT CELLS
+#else
+#define CELL_COUNT cells
+#endif
 #define CHILD_AT(from) CONVERT(PARENT, CONST_CELLS_AT(CHILD, from))
 
 /* A run of chords of one row of the parent, as struct Segment in plan.hpp; the crossing of chord
@@ -106,18 +116,19 @@ typedef struct
 segments[MAX_SEGMENTS * s] on; its first chord is rows[s].x, their number rows[s].y, that of its
 segments rows[s].z, its first end rows[s].w. Global size: runs of the longest row, rows. */
 __kernel void mergeCells(__global const Segment* segments, __global const int4* rows, int rowCount,
-                         int cells, __global const CHILD* child, __global PARENT* parent)
+                         int cells, __global const CHILD* restrict child,
+                         __global PARENT* restrict parent)
 {
     const int s = get_global_id(1);
     if (s >= rowCount)
         return;
     const int4 row = rows[s];
     const int begin = row.w + (int)get_global_id(0) * RUN, end = min(begin + RUN, row.w + row.y);
-    const size_t run = 2 * (size_t)cells;
+    const size_t run = 2 * (size_t)CELL_COUNT;
     __global const Segment* segment = segments + s * MAX_SEGMENTS;
     for (int k = 1; k < row.z && begin >= segment[1].firstEnd; ++k)
         ++segment;
-    __global PARENT* out = parent + (size_t)(row.x + begin - row.w) * cells;
+    __global PARENT* out = parent + (size_t)(row.x + begin - row.w) * CELL_COUNT;
     for (int e = begin; e < end; ++segment)
     {
         const int first = e - segment->firstEnd, count = min(end - e, segment->count - first);
@@ -126,9 +137,9 @@ __kernel void mergeCells(__global const Segment* segments, __global const int4* 
         if (!segment->isCrossing)
         {
             __global const CHILD* own =
-                child + (segment->chordS + first) * run + childS * cells;
-            for (int i = 0; i < count; ++i, own += run, out += cells)
-                for (int cell = 0; cell < cells; cell += CELLS)
+                child + (segment->chordS + first) * run + childS * CELL_COUNT;
+            for (int i = 0; i < count; ++i, own += run, out += CELL_COUNT)
+                for (int cell = 0; cell < CELL_COUNT; cell += CELLS)
                     CELLS_AT(PARENT, out + cell) = CHILD_AT(own + cell);
             continue;
         }
@@ -140,13 +151,14 @@ __kernel void mergeCells(__global const Segment* segments, __global const int4* 
         for (int i = 0; i < count; ++i)
             crossings[i] =
                 quotient(numerator + i * numeratorStep, denominator + i * denominatorStep);
-        __global const CHILD* const partS = child + segment->chordS * run + childS * cells;
-        __global const CHILD* partE =
-            child + (segment->chordE + first * segment->stepE) * (long)run + (1 - childS) * cells;
+        __global const CHILD* const partS = child + segment->chordS * run + childS * CELL_COUNT;
+        __global const CHILD* partE = child +
+                                      (segment->chordE + first * segment->stepE) * (long)run +
+                                      (1 - childS) * CELL_COUNT;
         const long strideS = segment->strideS * (long)run, strideE = segment->strideE * (long)run;
         const long stepE = segment->stepE * (long)run;
-        for (int i = 0; i < count; ++i, partE += stepE, out += cells)
-            for (int cell = 0; cell < cells; cell += CELLS)
+        for (int i = 0; i < count; ++i, partE += stepE, out += CELL_COUNT)
+            for (int cell = 0; cell < CELL_COUNT; cell += CELLS)
                 CELLS_AT(PARENT, out + cell) = CHILD_AT(partS + crossings[i] * strideS + cell) +
                                                CHILD_AT(partE + crossings[i] * strideE + cell);
     }
@@ -182,11 +194,12 @@ inline int directionBin(int2 direction)
     int bin = 0;
     for (int span = BINS / 2; span > 0; span /= 2)
         bin += span * ((long)END_COSINE[bin + span] * direction.y -
-                            (long)END_COSINE[abs(BINS / 2 - bin - span)] * direction.x >=
-                        0);
+                           (long)END_COSINE[abs(BINS / 2 - bin - span)] * direction.x >=
+                       0);
     return bin;
 }
-#define DIRECTIONS_PARAMETERS , __global const uchar *directions, int directionStep, int directionOffset
+#define DIRECTIONS_PARAMETERS                                                                      \
+    , __global const uchar *directions, int directionStep, int directionOffset
 #define DIRECTIONS_ARGUMENTS , directions, directionStep, directionOffset
 #else
 #define DIRECTIONS_PARAMETERS
