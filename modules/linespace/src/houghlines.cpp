@@ -41,7 +41,8 @@ bool isStronger(const GridLine& a, const GridLine& b)
 }
 
 //! The lines of the grid with more votes than the threshold that the Line Space does not rule out.
-std::vector<GridLine> countedLines(const EdgeMap& edges, const HoughGrid& grid, int threshold)
+std::vector<GridLine> countedLines(const EdgeMap& edges, bool onDevice, const HoughGrid& grid,
+                                   int threshold)
 {
     const Ptr<const Plan> plan = Plan::cascaded(edges.votes.size(), 8);
     const int last = plan->levelCount() - 1;
@@ -57,7 +58,7 @@ std::vector<GridLine> countedLines(const EdgeMap& edges, const HoughGrid& grid, 
     if (hasTable)
     {
         StageTimes times;
-        runOn(BACKEND_AUTO, false, Ptr<Executor>(),
+        runOn(BACKEND_AUTO, onDevice, Ptr<Executor>(),
               [&](Executor& executor)
               {
                   countVotes(executor, edges, *plan, false, last, tables, times);
@@ -173,7 +174,8 @@ void HoughLines(InputArray image, OutputArray lines, double rho, double theta, i
                               edges.votes = source.isContinuous() ? source : source.clone();
                           else
                               cv::min(source, Scalar(1), edges.votes);
-                          std::vector<GridLine> counted = countedLines(edges, grid, threshold);
+                          std::vector<GridLine> counted =
+                              countedLines(edges, image.isUMat(), grid, threshold);
                           found = strongestOfCells(counted, grid);
                       });
     if (found.empty())

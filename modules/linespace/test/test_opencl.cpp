@@ -47,6 +47,9 @@ protected:
         return LineSpaceDetector::create(20, 0, METHOD_CASCADED, 8, backend);
     }
 
+    //! Of so many edge pixels that the drop-in counts chords.
+    static Mat1b denseEdges() { return randomEdges(Size(400, 300), 0.5, 1); }
+
     const Mat1b edges;
     UMat onDevice;
     Lines expected;
@@ -97,18 +100,33 @@ TEST_F(Linespace_OpenCl, switched_off)
     EXPECT_EQ(expected, lines);
 }
 
+TEST_F(Linespace_OpenCl, the_drop_in_of_a_umat)
+{
+    const Mat1b dense = denseEdges();
+    UMat denseOnDevice, lines;
+    dense.copyTo(denseOnDevice);
+    std::vector<Vec3f> byCpu, byDevice;
+    cv::linespace::HoughLines(dense, byCpu, 1, CV_PI / 900, 220);
+    cv::linespace::HoughLines(denseOnDevice, byDevice, 1, CV_PI / 900, 220);
+    cv::linespace::HoughLines(denseOnDevice, lines, 1, CV_PI / 900, 220);
+    ASSERT_FALSE(byCpu.empty());
+    EXPECT_EQ(byCpu, byDevice);
+    EXPECT_EQ((int)byCpu.size(), lines.rows);
+}
+
 TEST_F(Linespace_OpenCl, the_default_back_end_of_the_process)
 {
     if (!hasDevice())
         throw SkipTestException("no OpenCL device");
     std::vector<Vec3f> byCpu, byDevice;
-    cv::linespace::HoughLines(edges, byCpu, 1, CV_PI / 900, 20);
+    const Mat1b dense = denseEdges();
+    cv::linespace::HoughLines(dense, byCpu, 1, CV_PI / 900, 220);
     setDefaultBackend(BACKEND_OPENCL);
     const Ptr<LineSpaceDetector> detector = detectorFor(BACKEND_AUTO);
     Lines lines;
     detector->detect(edges, lines);
     const int active = detector->getActiveBackend();
-    cv::linespace::HoughLines(edges, byDevice, 1, CV_PI / 900, 20);
+    cv::linespace::HoughLines(dense, byDevice, 1, CV_PI / 900, 220);
     setDefaultBackend(BACKEND_AUTO);
     EXPECT_EQ(BACKEND_OPENCL, active);
     EXPECT_EQ(expected, lines);
