@@ -218,9 +218,10 @@ private:
                       [&]()
                       {
                           EdgeMap map;
-                          Counting counting = count(edges, gradients, -1, map);
+                          Counting counting;
+                          prepare(edges, gradients, -1, false, map, counting);
                           std::vector<Vec3f> found, deviations;
-                          findLines(map, counting, found, deviations);
+                          findLines(edges.isUMat(), map, counting, found, deviations);
                           writeVectors(found, lines);
                           deviations_.swap(deviations);
                           keep(counting);
@@ -323,12 +324,11 @@ private:
         activeBackend_ = executor_->backend();
     }
 
-    /** Counts the votes of a level (-1: the last one, or the one where bundles take over if the votes
-    are for lines), and changes nothing but tables_. */
-    Counting count(InputArray input, const Gradients& gradients, int level, EdgeMap& edges,
-                   bool writesTable = false)
+    /** Checks the input and makes the edge map and the plan.
+    @param level of which the votes are wanted; -1: of the last one. */
+    void prepare(InputArray input, const Gradients& gradients, int level, bool writesTable,
+                 EdgeMap& edges, Counting& counting)
     {
-        Counting counting;
         counting.times.restart();
         const Mat image = input.getMat();
         checkImage(image, "edges");
@@ -343,12 +343,11 @@ private:
                       ("edges has %d x %d pixels: width + height must be at most 2^28", image.cols,
                        image.rows));
         const Ptr<const Plan> plan = planFor(image.size());
-        if (level < 0)
-            level = plan->levelCount() - 1;
-        checkRange(level, 0, plan->levelCount() - 1, "level",
+        counting.level = level < 0 ? plan->levelCount() - 1 : level;
+        checkRange(counting.level, 0, plan->levelCount() - 1, "level",
                    "less than the number of levels of this image size");
-        checkMemory(*plan, gradients.isOriented, level,
-                    writesTable ? tableBytes(plan->level(level), image.size())
+        checkMemory(*plan, gradients.isOriented, counting.level,
+                    writesTable ? tableBytes(plan->level(counting.level), image.size())
                                 : selectionBytes(*plan, gradients.isOriented));
         edges.weighted = parameters_.edgeWeights;
         edges.votes = votingPixels(image);
@@ -363,18 +362,20 @@ private:
         }
         counting.plan = plan;
         counting.times.end("edge map");
-        counting.executor =
-            runOn(parameters_.backend, input.isUMat(), executor_,
-                  [&](Executor& executor)
-                  {
-                      if (&executor != executor_.get()) // tables of another device
-                          tables_.release();
-                      counting.level = writesTable ? level : levelForLines(*plan, executor);
-                      countVotes(executor, edges, *plan, parameters_.method == METHOD_EXACT,
-                                 counting.level, tables_, counting.times);
-                      executor.fetch(tables_.of(counting.level));
-                  });
-        return counting;
+    }
+
+    /** Calls work(executor) with the executor that is to count, and sets the counting's; changes
+    nothing but what is kept for speed. */
+    template<class Work>
+    void runWith(bool onDevice, Counting& counting, Work work)
+    {
+        counting.executor = runOn(parameters_.backend, onDevice, executor_,
+                                  [&](Executor& executor)
+                                  {
+                                      if (&executor != executor_.get()) // tables of another device
+                                          tables_.release();
+                                      work(executor);
+                                  });
     }
 
     //! The image, or 1 where it is not 0, under the mask.
@@ -413,9 +414,17 @@ private:
                                                     typeToString(out.type()).c_str()));
         EdgeMap map;
         const Gradients none = {false, Mat(), Mat()};
-        const Counting counting = count(edges, none, level, map, true);
+        Counting counting;
+        prepare(edges, none, level, true, map, counting);
         const Plan& plan = *counting.plan;
-        const int l = level < 0 ? plan.levelCount() - 1 : level;
+        const int l = counting.level;
+        runWith(edges.isUMat(), counting,
+                [&](Executor& executor)
+                {
+                    countVotes(executor, map, plan, parameters_.method == METHOD_EXACT, l, tables_,
+                               counting.times);
+                    executor.fetch(tables_.of(l));
+                });
         const Level& shape = plan.level(l);
         const int points = shape.cell.borderCount();
         std::vector<int> rowBits, columnBits;
@@ -440,21 +449,32 @@ private:
         return significance(edges, pixels, plan, parameters_.falseAlarms);
     }
 
-    void findLines(const EdgeMap& edges, Counting& counting, std::vector<Vec3f>& lines,
-                   std::vector<Vec3f>& deviations)
+    void findLines(bool onDevice, const EdgeMap& edges, Counting& counting,
+                   std::vector<Vec3f>& lines, std::vector<Vec3f>& deviations)
     {
         const Plan& plan = *counting.plan;
-        const Requirement requirement = requirementFor(edges, plan);
+        const AngleInterval angles = {parameters_.minTheta, parameters_.maxTheta};
+        Requirement requirement;
+        std::vector<Candidate> candidates;
+        runWith(onDevice, counting,
+                [&](Executor& executor)
+                {
+                    counting.level = levelForLines(plan, executor);
+                    countVotes(executor, edges, plan, parameters_.method == METHOD_EXACT,
+                               counting.level, tables_, counting.times);
+                    // A device is still counting.
+                    requirement = requirementFor(edges, plan);
+                    if (requirement.threshold == INT_MAX)
+                        return;
+                    planes_.reset(edges, plan.frame());
+                    candidates = candidatesFor(executor, edges, requirement, angles, counting);
+                    if (parameters_.method == METHOD_EXACT) // whose table holds exact votes
+                        return;
+                    recount(edges, plan, executor, candidates);
+                    counting.times.end("ascent");
+                });
         if (requirement.threshold == INT_MAX)
             return;
-        const AngleInterval angles = {parameters_.minTheta, parameters_.maxTheta};
-        planes_.reset(edges, plan.frame());
-        std::vector<Candidate> candidates = candidatesFor(edges, requirement, angles, counting);
-        if (parameters_.method != METHOD_EXACT) // whose table holds exact votes
-        {
-            recount(edges, plan, *counting.executor, candidates);
-            counting.times.end("ascent");
-        }
         removeIf(candidates,
                  [&](const Candidate& candidate)
                  {
@@ -493,7 +513,8 @@ private:
     }
 
     //! The chords of the frame whose exact votes may meet the requirement.
-    std::vector<Candidate> candidatesFor(const EdgeMap& edges, const Requirement& requirement,
+    std::vector<Candidate> candidatesFor(Executor& executor, const EdgeMap& edges,
+                                         const Requirement& requirement,
                                          const AngleInterval& angles, Counting& counting)
     {
         const Plan& plan = *counting.plan;
@@ -512,6 +533,7 @@ private:
                        isInInterval(frame, angles, candidate);
             };
         wanted.leastVotes = requirement.leastVotes(ratio);
+        wanted.leastVotesDecide = requirement.pixels.size() <= 1 && angles.isFull();
         const int last = plan.levelCount() - 1, radius = parameters_.suppressionRadius;
         if (counting.level < last)
         {
@@ -524,14 +546,19 @@ private:
             counting.times.end("bundles");
             if (isFound)
                 return found;
-            mergeVotes(*counting.executor, edges, plan, counting.level, last, tables_,
-                       counting.times);
+            mergeVotes(executor, edges, plan, counting.level, last, tables_, counting.times);
         }
-        const VoteTable& table = tables_.of(last);
-        const std::vector<Candidate> found =
-            candidatesClimb()
-                ? findParallelMaxima(table, frame, wanted)
-                : findCandidates(table, frame, wanted, parameters_.suppression, radius);
+        VoteTable& table = tables_.of(last);
+        const int climbingRadius = candidatesClimb() ? -1 : radius;
+        std::vector<Candidate> found;
+        if (parameters_.suppression != SUPPRESS_RING ||
+            !executor.findMaxima(edges, plan, table, wanted, climbingRadius, found))
+        {
+            executor.fetch(table);
+            found = candidatesClimb()
+                        ? findParallelMaxima(table, frame, wanted)
+                        : findCandidates(table, frame, wanted, parameters_.suppression, radius);
+        }
         counting.times.end("candidates");
         return found;
     }

@@ -9,113 +9,13 @@
 #ifdef HAVE_OPENCL
 
 #include "cell_chords.hpp"
-
-#include "opencl_kernels_linespace.hpp"
-
-#include <opencv2/core/ocl.hpp>
+#include "ocl_launch.hpp"
+#include "ocl_maxima.hpp"
 
 namespace cv {
 namespace linespace {
 
 namespace {
-
-const char* typeOf(int depth)
-{
-    return depth == 1 ? "uchar" : depth == 2 ? "ushort" : "int";
-}
-
-//! Makes a row of at least so many bytes on the device.
-void allocate(UMat& memory, size_t bytes)
-{
-    if (bytes <= (size_t)memory.cols)
-        return;
-    memory.release();
-    if (bytes > std::min<size_t>(ocl::Device::getDefault().maxMemAllocSize(), INT_MAX))
-        throw DeviceFailure(
-            format("%.0f MiB are more than the device gives at once", (double)bytes / (1 << 20)));
-    memory.create(1, (int)bytes, CV_8UC1);
-}
-
-template<class Element>
-void upload(const std::vector<Element>& from, UMat& memory)
-{
-    const int bytes = (int)(from.size() * sizeof(Element));
-    allocate(memory, bytes);
-    Mat(1, bytes, CV_8UC1, (void*)from.data()).copyTo(memory.colRange(0, bytes));
-}
-
-//! An image, for kernels that ask for its step and offset.
-const UMat& upload(const Mat& from, UMat& to)
-{
-    from.copyTo(to);
-    return to;
-}
-
-void download(const UMat& memory, size_t bytes, void* to)
-{
-    Mat result(1, (int)bytes, CV_8UC1, to);
-    memory.colRange(0, (int)bytes).copyTo(result);
-}
-
-ocl::KernelArg in(const UMat& memory)
-{
-    return ocl::KernelArg::PtrReadOnly(memory);
-}
-
-ocl::KernelArg out(const UMat& memory)
-{
-    return ocl::KernelArg::PtrWriteOnly(memory);
-}
-
-/** A kernel of the module's program. Each launch has one of its own: one that is in flight cannot be
-launched again. */
-class Launch
-{
-public:
-    Launch(const char* name, const String& options) : name_(name)
-    {
-        String errors;
-        const ocl::Program program =
-            ocl::Context::getDefault().getProg(ocl::linespace::cascade_oclsrc, options, errors);
-        if (!program.ptr() || !kernel_.create(name, program))
-            throw DeviceFailure(format("kernel %s is not built: %s", name, errors.c_str()));
-    }
-
-    template<class... Arguments>
-    Launch& with(const Arguments&... arguments)
-    {
-        kernel_.args(arguments...);
-        return *this;
-    }
-
-    /** Queues it, without waiting.
-    @param alongRows whether the work items of a group follow one another in the second dimension.
-    (A group's shape is always one of these two: some devices build a kernel for each.) */
-    void run(size_t width, size_t height, bool alongRows = false)
-    {
-        size_t items = LOCAL;
-        while (items > kernel_.workGroupSize())
-            items /= 2;
-        size_t local[2] = {alongRows ? 1 : items, alongRows ? items : 1},
-               global[2] = {width, height};
-        if (!kernel_.run(2, global, local, false))
-            throw DeviceFailure(format("kernel %s is not launched", name_));
-    }
-
-private:
-    enum
-    {
-        LOCAL = 64 //!< work items of a group; no kernel here shares anything within one
-    };
-    const char* name_;
-    ocl::Kernel kernel_;
-};
-
-//! A row of chords (s, e): of borderRows in cascade.cl.
-struct BorderRow
-{
-    int firstChord, count, segments, firstEnd;
-};
 
 //! As in cascade.cl.
 struct DeviceSegment
@@ -123,13 +23,6 @@ struct DeviceSegment
     int firstEnd, count, isCrossing, childS, chordS, strideS, chordE, strideE, stepE;
     int numerator, numeratorStep, denominator, denominatorStep;
 };
-
-int asInt(double value)
-{
-    if (std::abs(value) > INT_MAX)
-        throw DeviceFailure("the frame is too large for 32-bit numbers");
-    return (int)value;
-}
 
 DeviceSegment deviceSegment(const Merge& merge, int s, const Segment& segment)
 {
@@ -172,6 +65,13 @@ std::vector<BorderRow> rowsOf(const Cell& cell)
     return rows;
 }
 
+//! An image, for kernels that ask for its step and offset.
+const UMat& uploadImage(const Mat& from, UMat& to)
+{
+    from.copyTo(to);
+    return to;
+}
+
 class OpenClExecutor : public Executor
 {
 public:
@@ -188,7 +88,7 @@ public:
         table.setShape(level, depth);
         if (table.chords > INT_MAX)
             throw DeviceFailure("the frame has too many chords for 32-bit numbers");
-        linespace::allocate(table.device, table.bytes());
+        allocateOn(table.device, table.bytes());
     }
 
     void firstCells(const EdgeMap& edges, const Plan& plan, VoteTable& table) CV_OVERRIDE
@@ -198,9 +98,9 @@ public:
         const int pixels = level.cell.width * level.cell.height, cells = (int)table.cells;
         if (!knowsCells_)
             listCells(plan);
-        const UMat votes = upload(edges.votes, votes_);
-        linespace::allocate(gathered_, (size_t)pixels * cells);
-        Launch("gatherPixels", "-D FIRST_CELLS -D PARENT=uchar -D CELLS=1")
+        const UMat votes = uploadImage(edges.votes, votes_);
+        allocateOn(gathered_, (size_t)pixels * cells);
+        Launch(CASCADE_PROGRAM, "gatherPixels", "-D FIRST_CELLS -D PARENT=uchar -D CELLS=1")
             .with(ocl::KernelArg::ReadOnly(votes), in(corners_), cells, pixels, level.cell.width,
                   out(gathered_))
             .run(cells, pixels);
@@ -209,19 +109,19 @@ public:
             format("-D FIRST_CELLS -D PARENT=%s -D CELLS=%d", typeOf(table.depth), together);
         if (!edges.isOriented())
         {
-            Launch("firstCells", options)
+            Launch(CASCADE_PROGRAM, "firstCells", options)
                 .with(in(gathered_), in(pixels_), in(starts_), cells, (int)table.chords,
                       out(table.device))
                 .run(cells / together, table.chords);
             return;
         }
-        const UMat directions = upload(edges.directions, directions_);
-        linespace::allocate(gatheredDirections_, (size_t)pixels * cells * sizeof(ushort));
-        Launch("gatherDirections", "-D FIRST_CELLS -D PARENT=uchar -D CELLS=1")
+        const UMat directions = uploadImage(edges.directions, directions_);
+        allocateOn(gatheredDirections_, (size_t)pixels * cells * sizeof(ushort));
+        Launch(CASCADE_PROGRAM, "gatherDirections", "-D FIRST_CELLS -D PARENT=uchar -D CELLS=1")
             .with(ocl::KernelArg::ReadOnly(directions), in(corners_), cells, pixels,
                   level.cell.width, out(gatheredDirections_))
             .run(cells, pixels);
-        Launch("firstCells", options + " -D ORIENTED")
+        Launch(CASCADE_PROGRAM, "firstCells", options + " -D ORIENTED")
             .with(in(gathered_), in(gatheredDirections_), in(bins_), in(pixels_), in(starts_),
                   cells, (int)table.chords, out(table.device))
             .run(cells / together, table.chords);
@@ -235,7 +135,7 @@ public:
             listRows(plan.merge(l), level);
         const int together = (int)std::min<size_t>(parent.cells, MOST_TOGETHER);
         const int run = chordsPerItem();
-        Launch("mergeCells",
+        Launch(CASCADE_PROGRAM, "mergeCells",
                format("-D MERGE -D MAX_SEGMENTS=%d -D RUN=%d -D CHILD=%s -D PARENT=%s -D CELLS=%d",
                       MAX_SEGMENTS, run, typeOf(child.depth), typeOf(parent.depth), together))
             .with(in(level.segments), in(level.rows), level.rowCount, (int)parent.cells,
@@ -256,20 +156,26 @@ public:
             level.setSize(rows);
         }
         const String options = format("-D EXACT -D PARENT=%s -D CELLS=1", typeOf(table.depth));
-        const UMat votes = upload(edges.votes, votes_);
+        const UMat votes = uploadImage(edges.votes, votes_);
         if (!edges.isOriented())
         {
-            Launch("exactVotes", options)
+            Launch(CASCADE_PROGRAM, "exactVotes", options)
                 .with(ocl::KernelArg::ReadOnly(votes), in(level.rows), level.rowCount, frame.width,
                       frame.height, out(table.device))
                 .run(level.longestRow, level.rowCount);
             return;
         }
-        const UMat directions = upload(edges.directions, directions_);
-        Launch("exactVotes", options + orientedOptions())
+        const UMat directions = uploadImage(edges.directions, directions_);
+        Launch(CASCADE_PROGRAM, "exactVotes", options + orientedOptions())
             .with(ocl::KernelArg::ReadOnly(votes), ocl::KernelArg::ReadOnlyNoSize(directions),
                   in(level.rows), level.rowCount, frame.width, frame.height, out(table.device))
             .run(level.longestRow, level.rowCount);
+    }
+
+    bool findMaxima(const EdgeMap& edges, const Plan& plan, const VoteTable& table,
+                    const Wanted& wanted, int radius, std::vector<Candidate>& found) CV_OVERRIDE
+    {
+        return maxima_.find(edges, plan, table, wanted, radius, found);
     }
 
     void rescore(const EdgeMap& edges, const Plan& plan, const std::vector<Chord>& chords,
@@ -283,18 +189,18 @@ public:
         checkRasters(frame);
         static_assert(sizeof(Chord) == 2 * sizeof(int), "an int2 of the device");
         upload(chords, chords_);
-        linespace::allocate(sums_, votes.size() * sizeof(int));
-        const UMat map = upload(edges.votes, votes_);
+        allocateOn(sums_, votes.size() * sizeof(int));
+        const UMat map = uploadImage(edges.votes, votes_);
         const String options = "-D EXACT -D PARENT=int -D CELLS=1";
         if (!edges.isOriented())
-            Launch("rescore", options)
+            Launch(CASCADE_PROGRAM, "rescore", options)
                 .with(ocl::KernelArg::ReadOnly(map), in(chords_), (int)chords.size(), frame.width,
                       frame.height, out(sums_))
                 .run(chords.size(), 1);
         else
         {
-            const UMat directions = upload(edges.directions, directions_);
-            Launch("rescore", options + orientedOptions())
+            const UMat directions = uploadImage(edges.directions, directions_);
+            Launch(CASCADE_PROGRAM, "rescore", options + orientedOptions())
                 .with(ocl::KernelArg::ReadOnly(map), ocl::KernelArg::ReadOnlyNoSize(directions),
                       in(chords_), (int)chords.size(), frame.width, frame.height, out(sums_))
                 .run(chords.size(), 1);
@@ -330,14 +236,8 @@ private:
             isReady = true;
         }
     };
-    /** Consecutive chords that a work item merges. A processor does what they share once and
-    reads on in the lines of its cache; on other devices neighbouring work items read neighbouring
-    bytes. */
-    static int chordsPerItem()
-    {
-        const bool isProcessor = ocl::Device::getDefault().type() == ocl::Device::TYPE_CPU;
-        return isProcessor ? 64 : 1;
-    }
+    //! Consecutive chords that a work item merges.
+    static int chordsPerItem() { return isProcessor() ? 64 : 1; }
 
     //! Forgets what is known of another plan.
     void prepare(const Plan& plan)
@@ -406,12 +306,6 @@ private:
         level.setSize(rows);
     }
 
-    //! Products of the kernel's rasters have 32 bits.
-    static void checkRasters(const Cell& frame)
-    {
-        asInt(4. * frame.width * frame.height + 2. * std::max(frame.width, frame.height));
-    }
-
     static String orientedOptions()
     {
         String options = format(" -D ORIENTED -D BINS=%d -D END_COSINES=", DIRECTION_BINS);
@@ -428,6 +322,7 @@ private:
     UMat votes_, directions_;               //!< the edge map
     UMat gathered_, gatheredDirections_;
     UMat chords_, sums_; //!< of rescore
+    DeviceMaxima maxima_;
 };
 
 } // namespace

@@ -41,6 +41,8 @@ struct Wanted
     //! By the number of a chord's pixels in the image: with fewer votes it refuses the chord; does
     //! not decrease. Empty: nothing is known.
     std::vector<int> leastVotes;
+    //! Whether it refuses nothing else: then leastVotes can stand in for it.
+    bool leastVotesDecide;
 };
 
 //! Keeps the strongest of the wanted number, in no particular order.

@@ -4,9 +4,9 @@
 
 // The seam between the detector and its back ends: the stages that each back end implements, and
 // the memory order of what passes between them. A back end is an executor of one plan; it derives
-// no geometry of its own and decides nothing, so all give the same votes. Everything after the
-// candidates' votes (order, suppression, refinement) is host code that all share: peaks.hpp,
-// refine.hpp. So is what the ascent and the selection count exactly on their way (ascent.hpp,
+// no geometry of its own and decides nothing, so all give the same votes. What follows the table
+// (candidates, selection, refinement) is host code that all share: peaks.hpp, selection.hpp,
+// refine.hpp; a device may find the candidates itself, as findMaxima() tells. So is what the ascent and the selection count exactly on their way (ascent.hpp,
 // chord_counter.hpp): rescore() serves candidates that do not climb.
 //
 // What a stage combines is a vote count, but nothing here depends on that beyond VoteTable::depth:
@@ -87,6 +87,9 @@ struct EdgeMap
     }
 };
 
+struct Candidate; // peaks.hpp
+struct Wanted;
+
 //! A device cannot do what is asked for; the CPU path can.
 struct DeviceFailure
 {
@@ -139,6 +142,15 @@ public:
     /** METHOD_EXACT: the votes of every chord of the plan's only cell, by its raster; of an
     oriented map, of the pixels that vote for the chord's bin. */
     virtual void exactVotes(const EdgeMap& edges, const Plan& plan, VoteTable& table) = 0;
+
+    /** The local maxima of the frame's table, where the votes are.
+    @param radius of findCandidates with SUPPRESS_RING, or -1: findParallelMaxima.
+    @return false if they are better found in table.buffer after fetch(). */
+    virtual bool findMaxima(const EdgeMap&, const Plan&, const VoteTable& /*table*/, const Wanted&,
+                            int /*radius*/, std::vector<Candidate>& /*found*/)
+    {
+        return false;
+    }
 
     //! The same as exactVotes for some chords of the frame, one result each.
     virtual void rescore(const EdgeMap& edges, const Plan& plan, const std::vector<Chord>& chords,

@@ -8,9 +8,6 @@
 //
 // CHILD, PARENT: types of votes. CELLS: how many cells are taken at a time, a power of two up to 16.
 
-#define CONCAT_(a, b) a##b
-#define CONCAT(a, b) CONCAT_(a, b)
-
 #if CELLS == 1
 #define VECTOR(type) type
 #else
@@ -22,14 +19,6 @@
 boundary. (vloadn and vstoren, which ask for less, are single bytes on some devices.) */
 #define CELLS_AT(type, from) (*(__global VECTOR(type)*)(from))
 #define CONST_CELLS_AT(type, from) (*(__global const VECTOR(type)*)(from))
-
-/* The floor of a quotient >= 0, exactly: the estimate is wrong by one at most. */
-inline int quotient(int numerator, int denominator)
-{
-    int result = (int)((float)numerator / (float)denominator);
-    const int rest = numerator - result * denominator;
-    return result + (rest >= denominator) - (rest < 0);
-}
 
 #ifdef FIRST_CELLS
 
@@ -168,21 +157,6 @@ __kernel void mergeCells(__global const Segment* segments, __global const int4* 
 
 #ifdef EXACT
 
-/* Where border point p of a frame is, in doubled coordinates (Cell::borderPoint). */
-inline int2 borderPoint(int width, int height, int p)
-{
-    if (p < width)
-        return (int2)(2 * p + 1, 0);
-    p -= width;
-    if (p < height)
-        return (int2)(2 * width, 2 * p + 1);
-    p -= height;
-    if (p < width)
-        return (int2)(2 * (width - p) - 1, 2 * height);
-    p -= width;
-    return (int2)(0, 2 * (height - p) - 1);
-}
-
 #ifdef ORIENTED
 __constant int END_COSINE[] = {END_COSINES};
 
@@ -211,31 +185,15 @@ plan.hpp; of an oriented map, of those that vote for the chord's bin. */
 inline int votesOfChord(int width, int height, int s, int e, __global const uchar* image, int step,
                         int offset, int rows, int columns DIRECTIONS_PARAMETERS)
 {
-    int2 p = borderPoint(width, height, s), q = borderPoint(width, height, e);
+    const int2 p = borderPoint(width, height, s), q = borderPoint(width, height, e);
 #ifdef ORIENTED
     const ushort bit = (ushort)(1 << directionBin(q - p));
 #endif
-    const int xMajor = abs(q.x - p.x) >= abs(q.y - p.y);
-    if (!xMajor)
+    const Raster raster = rasterOf(p, q);
+    int minor = raster.minor, rest = raster.rest, sum = 0;
+    for (int major = raster.first; major < raster.first + raster.count; ++major)
     {
-        p = p.yx;
-        q = q.yx;
-    }
-    if (q.x < p.x)
-    {
-        const int2 other = p;
-        p = q;
-        q = other;
-    }
-    const int dx = q.x - p.x, dy = q.y - p.y, modulus = 2 * dx, slope = 2 * dy;
-    const int first = p.x / 2, last = (q.x - 1) / 2;
-    const int numerator = p.y * dx + dy * (2 * first + 1 - p.x);
-    int minor = quotient(numerator, modulus), rest = numerator - minor * modulus;
-    /* A pixel at an end on the right or bottom border is beyond the image. */
-    int sum = 0;
-    for (int major = first; major <= last; ++major)
-    {
-        const int x = xMajor ? major : minor, y = xMajor ? minor : major;
+        const int x = raster.xMajor ? major : minor, y = raster.xMajor ? minor : major;
         if (x < columns && y < rows)
         {
             const int votes = image[offset + y * step + x];
@@ -246,9 +204,9 @@ inline int votesOfChord(int width, int height, int s, int e, __global const ucha
 #endif
                 sum += votes;
         }
-        rest += slope;
-        const int over = rest >= modulus, under = rest < 0;
-        rest += (under - over) * modulus;
+        rest += raster.step;
+        const int over = rest >= raster.modulus, under = rest < 0;
+        rest += (under - over) * raster.modulus;
         minor += over - under;
     }
     return sum;

@@ -1,0 +1,106 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+#include <cvconfig.h>
+
+#ifdef HAVE_OPENCL
+
+#include "ocl_launch.hpp"
+
+#include "opencl_kernels_linespace.hpp"
+
+#include <climits>
+
+namespace cv {
+namespace linespace {
+
+namespace {
+
+typedef ocl::internal::ProgramEntry Entry;
+
+ocl::ProgramSource joined(const Entry& first, const Entry& second)
+{
+    return ocl::ProgramSource(second.module, second.name,
+                              String(first.programCode) + second.programCode,
+                              String(first.programHash) + second.programHash);
+}
+
+const ocl::ProgramSource& sourceOf(DeviceProgram program)
+{
+    using namespace ocl::linespace;
+    static const ocl::ProgramSource cascade = joined(chords_oclsrc, cascade_oclsrc),
+                                    maxima = joined(chords_oclsrc, maxima_oclsrc);
+    return program == CASCADE_PROGRAM ? cascade : maxima;
+}
+
+} // namespace
+
+const char* typeOf(int depth)
+{
+    return depth == 1 ? "uchar" : depth == 2 ? "ushort" : "int";
+}
+
+void allocateOn(UMat& memory, size_t bytes)
+{
+    if (bytes <= (size_t)memory.cols)
+        return;
+    memory.release();
+    if (bytes > std::min<size_t>(ocl::Device::getDefault().maxMemAllocSize(), INT_MAX))
+        throw DeviceFailure(
+            format("%.0f MiB are more than the device gives at once", (double)bytes / (1 << 20)));
+    memory.create(1, (int)bytes, CV_8UC1);
+}
+
+void uploadBytes(const void* from, size_t bytes, UMat& memory)
+{
+    allocateOn(memory, bytes);
+    Mat(1, (int)bytes, CV_8UC1, (void*)from).copyTo(memory.colRange(0, (int)bytes));
+}
+
+void download(const UMat& memory, size_t bytes, void* to)
+{
+    Mat result(1, (int)bytes, CV_8UC1, to);
+    memory.colRange(0, (int)bytes).copyTo(result);
+}
+
+Launch::Launch(DeviceProgram program, const char* name, const String& options) : name_(name)
+{
+    String errors;
+    const ocl::Program built =
+        ocl::Context::getDefault().getProg(sourceOf(program), options, errors);
+    if (!built.ptr() || !kernel_.create(name, built))
+        throw DeviceFailure(format("kernel %s is not built: %s", name, errors.c_str()));
+}
+
+void Launch::run(size_t width, size_t height, bool alongRows)
+{
+    size_t items = GROUP;
+    while (items > kernel_.workGroupSize())
+        items /= 2;
+    size_t local[2] = {alongRows ? 1 : items, alongRows ? items : 1}, global[2] = {width, height};
+    if (!kernel_.run(2, global, local, false))
+        throw DeviceFailure(format("kernel %s is not launched", name_));
+}
+
+bool isProcessor()
+{
+    return ocl::Device::getDefault().type() == ocl::Device::TYPE_CPU;
+}
+
+int asInt(double value)
+{
+    if (std::abs(value) > INT_MAX)
+        throw DeviceFailure("the frame is too large for 32-bit numbers");
+    return (int)value;
+}
+
+void checkRasters(const Cell& frame)
+{
+    asInt(4. * frame.width * frame.height + 4. * std::max(frame.width, frame.height));
+}
+
+} // namespace linespace
+} // namespace cv
+
+#endif // HAVE_OPENCL

@@ -1,0 +1,103 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// What all stages on an OpenCL device share: memory, and launches of kernels. Only for files that are
+// compiled with HAVE_OPENCL.
+
+#ifndef OPENCV_LINESPACE_OCL_LAUNCH_HPP
+#define OPENCV_LINESPACE_OCL_LAUNCH_HPP
+
+#include "stages.hpp"
+
+#include <opencv2/core/ocl.hpp>
+
+namespace cv {
+namespace linespace {
+
+//! The type of votes of so many bytes, in OpenCL C.
+const char* typeOf(int depth);
+
+//! Makes a row of at least so many bytes on the device; what it held may be lost.
+void allocateOn(UMat& memory, size_t bytes);
+
+void uploadBytes(const void* from, size_t bytes, UMat& memory);
+template<class Element>
+void upload(const std::vector<Element>& from, UMat& memory)
+{
+    uploadBytes(from.data(), from.size() * sizeof(Element), memory);
+}
+
+//! Waits for the device.
+void download(const UMat& memory, size_t bytes, void* to);
+
+inline ocl::KernelArg in(const UMat& memory)
+{
+    return ocl::KernelArg::PtrReadOnly(memory);
+}
+inline ocl::KernelArg out(const UMat& memory)
+{
+    return ocl::KernelArg::PtrWriteOnly(memory);
+}
+inline ocl::KernelArg inOut(const UMat& memory)
+{
+    return ocl::KernelArg::PtrReadWrite(memory);
+}
+
+//! The programs of opencl/, each after chords.cl, which all use.
+enum DeviceProgram
+{
+    CASCADE_PROGRAM,
+    MAXIMA_PROGRAM
+};
+
+/** A kernel of a program. Each launch has one of its own: one that is in flight cannot be launched
+again. */
+class Launch
+{
+public:
+    enum
+    {
+        GROUP = 64 //!< most work items of a group
+    };
+
+    Launch(DeviceProgram program, const char* name, const String& options);
+
+    template<class... Arguments>
+    Launch& with(const Arguments&... arguments)
+    {
+        kernel_.args(arguments...);
+        return *this;
+    }
+
+    /** Queues it, without waiting.
+    @param alongRows whether the work items of a group follow one another in the second dimension.
+    (A group's shape is always one of these two: some devices build a kernel for each.) */
+    void run(size_t width, size_t height, bool alongRows = false);
+
+private:
+    const char* name_;
+    ocl::Kernel kernel_;
+};
+
+/** Whether the device is a processor: a work item takes a run of consecutive chords there, does what
+they share once, and reads on in the lines of its cache; on other devices neighbouring work items
+read neighbouring bytes. */
+bool isProcessor();
+
+//! A row of chords (s, e) on the device, an int4 there.
+struct BorderRow
+{
+    int firstChord, count, segments, firstEnd;
+};
+
+//! Throws DeviceFailure if the number does not fit 32 bits.
+int asInt(double value);
+
+//! Throws DeviceFailure if products of chords.cl's rasters do not fit 32 bits.
+void checkRasters(const Cell& frame);
+
+} // namespace linespace
+} // namespace cv
+
+#endif // OPENCV_LINESPACE_OCL_LAUNCH_HPP
