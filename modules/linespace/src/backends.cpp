@@ -6,6 +6,7 @@
 
 #include "ocl_cascade.hpp"
 
+#include <opencv2/core/ocl.hpp>
 #include <opencv2/core/utils/logger.hpp>
 
 #include <atomic>
@@ -52,12 +53,12 @@ int getDefaultBackend()
     return defaultBackend;
 }
 
-Ptr<Executor> executorFor(int backend, bool onDevice, const Ptr<Executor>& kept)
+Ptr<Executor> executorFor(int backend, bool isUMat, const Ptr<Executor>& kept)
 {
     if (backend == BACKEND_AUTO)
     {
         backend = defaultBackend;
-        if (backend == BACKEND_AUTO && onDevice)
+        if (backend == BACKEND_AUTO && isUMat)
             backend = BACKEND_OPENCL;
         if (!isAvailable(backend))
             backend = BACKEND_CPU;
@@ -72,6 +73,14 @@ Ptr<Executor> executorFor(int backend, bool onDevice, const Ptr<Executor>& kept)
                    "BACKEND_REFERENCE, BACKEND_CPU or BACKEND_OPENCL",
                    nameOf(backend)));
     return kept && kept->backend() == backend && kept->isUsable() ? kept : create(backend);
+}
+
+UMat onDevice(InputArray array)
+{
+    if (!array.isUMat())
+        return UMat();
+    const UMat result = array.getUMat();
+    return result.u && result.u->currAllocator == ocl::getOpenCLAllocator() ? result : UMat();
 }
 
 Ptr<Executor> substituteFor(int backend, const DeviceFailure& failure)

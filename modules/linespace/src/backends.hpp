@@ -15,21 +15,24 @@ namespace linespace {
 /** The executor of a back end.
 @param backend one of enum Backend. BACKEND_AUTO takes the process-wide default where it can run,
 else the device for what lies there, else the CPU path.
-@param onDevice whether the edge map is a UMat.
+@param isUMat whether the edge map is a UMat.
 @param kept an executor from an earlier call, returned again if it is of the right kind; may be
 empty. Throws cv::Exception with the reason if a back end that was named cannot run. */
-Ptr<Executor> executorFor(int backend, bool onDevice, const Ptr<Executor>& kept);
+Ptr<Executor> executorFor(int backend, bool isUMat, const Ptr<Executor>& kept);
 
 //! The CPU's executor, in place of a device that failed, with a warning; throws if the device was
 //! asked for by name.
 Ptr<Executor> substituteFor(int backend, const DeviceFailure& failure);
 
+//! The array, where it is a UMat on OpenCV's device; else an empty one.
+UMat onDevice(InputArray array);
+
 /** Calls work(executor) with the executor of a back end, and once more with another one if a device
 fails that was not asked for by name. Returns the executor that did it. */
 template<class Work>
-Ptr<Executor> runOn(int backend, bool onDevice, const Ptr<Executor>& kept, Work work)
+Ptr<Executor> runOn(int backend, bool isUMat, const Ptr<Executor>& kept, Work work)
 {
-    Ptr<Executor> executor = executorFor(backend, onDevice, kept);
+    Ptr<Executor> executor = executorFor(backend, isUMat, kept);
     try
     {
         work(*executor);

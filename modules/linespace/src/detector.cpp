@@ -24,16 +24,16 @@ namespace linespace {
 
 namespace {
 
-void checkImage(const Mat& image, const char* name)
+void checkImage(InputArray image, const char* name)
 {
     if (image.empty())
         CV_Error_(Error::StsBadSize, ("%s is empty: must be at least 1 x 1", name));
     if (image.type() != CV_8UC1)
         CV_Error_(Error::StsUnsupportedFormat,
                   ("%s has %d dimensions and type %s: must be CV_8UC1 with two dimensions", name,
-                   image.dims, typeToString(image.type()).c_str()));
-    if (image.dims != 2)
-        CV_Error_(Error::StsBadSize, ("%s has %d dimensions: must be two", name, image.dims));
+                   image.dims(), typeToString(image.type()).c_str()));
+    if (image.dims() != 2)
+        CV_Error_(Error::StsBadSize, ("%s has %d dimensions: must be two", name, image.dims()));
 }
 
 //! Clears a table's row of cells and writes both triangles of one cell into the output.
@@ -158,14 +158,14 @@ public:
 
     void setMask(InputArray mask) CV_OVERRIDE
     {
+        maskOnDevice_.release();
         if (mask.empty())
         {
             mask_.release();
             return;
         }
-        const Mat given = mask.getMat();
-        checkImage(given, "mask");
-        mask_ = given.clone();
+        checkImage(mask, "mask");
+        mask_ = mask.getMat().clone();
     }
     void getMask(OutputArray mask) const CV_OVERRIDE
     {
@@ -196,6 +196,7 @@ public:
         plan_.reset();
         executor_.reset();
         images_ = Images();
+        maskOnDevice_.release();
         tables_.release();
         bundles_.clear();
         planes_.clear();
@@ -220,6 +221,7 @@ private:
                           EdgeMap map;
                           Counting counting;
                           prepare(edges, gradients, -1, false, map, counting);
+                          readEdges(edges, gradients, map, counting.times);
                           std::vector<Vec3f> found, deviations;
                           findLines(edges.isUMat(), map, counting, found, deviations);
                           writeVectors(found, lines);
@@ -324,33 +326,43 @@ private:
         activeBackend_ = executor_->backend();
     }
 
-    /** Checks the input and makes the edge map and the plan.
+    /** Checks the input and makes the plan and what an edge map has on a device.
     @param level of which the votes are wanted; -1: of the last one. */
     void prepare(InputArray input, const Gradients& gradients, int level, bool writesTable,
                  EdgeMap& edges, Counting& counting)
     {
         counting.times.restart();
-        const Mat image = input.getMat();
-        checkImage(image, "edges");
-        if (!mask_.empty() && mask_.size() != image.size())
+        checkImage(input, "edges");
+        const Size size = input.size();
+        if (!mask_.empty() && mask_.size() != size)
             CV_Error_(Error::StsUnmatchedSizes,
                       ("mask has %d x %d pixels: must have the %d x %d of edges", mask_.cols,
-                       mask_.rows, image.cols, image.rows));
-        gradients.check(image.size());
+                       mask_.rows, size.width, size.height));
+        gradients.check(size);
         // Border points are numbered by int.
-        if ((int64)image.cols + image.rows > (1 << 28))
+        if ((int64)size.width + size.height > (1 << 28))
             CV_Error_(Error::StsOutOfRange,
-                      ("edges has %d x %d pixels: width + height must be at most 2^28", image.cols,
-                       image.rows));
-        const Ptr<const Plan> plan = planFor(image.size());
+                      ("edges has %d x %d pixels: width + height must be at most 2^28", size.width,
+                       size.height));
+        const Ptr<const Plan> plan = planFor(size);
         counting.level = level < 0 ? plan->levelCount() - 1 : level;
         checkRange(counting.level, 0, plan->levelCount() - 1, "level",
                    "less than the number of levels of this image size");
         checkMemory(*plan, gradients.isOriented, counting.level,
-                    writesTable ? tableBytes(plan->level(counting.level), image.size())
+                    writesTable ? tableBytes(plan->level(counting.level), size)
                                 : selectionBytes(*plan, gradients.isOriented));
+        counting.plan = plan;
         edges.weighted = parameters_.edgeWeights;
-        edges.votes = votingPixels(image);
+        edges.source = onDevice(input);
+        if (!edges.source.empty() && !mask_.empty() && maskOnDevice_.empty())
+            mask_.copyTo(maskOnDevice_);
+        edges.sourceMask = maskOnDevice_;
+    }
+
+    //! Brings the edge map to the host.
+    void readEdges(InputArray input, const Gradients& gradients, EdgeMap& edges, StageTimes& times)
+    {
+        edges.votes = votingPixels(input.getMat());
         if (gradients.isOriented)
         {
             gradients.findBits(edges.votes, parameters_.orientationTolerance, images_.estimated,
@@ -360,16 +372,15 @@ private:
             edges.dx = gradients.dx;
             edges.dy = gradients.dy;
         }
-        counting.plan = plan;
-        counting.times.end("edge map");
+        times.end("edge map");
     }
 
     /** Calls work(executor) with the executor that is to count, and sets the counting's; changes
     nothing but what is kept for speed. */
     template<class Work>
-    void runWith(bool onDevice, Counting& counting, Work work)
+    void runWith(bool isUMat, Counting& counting, Work work)
     {
-        counting.executor = runOn(parameters_.backend, onDevice, executor_,
+        counting.executor = runOn(parameters_.backend, isUMat, executor_,
                                   [&](Executor& executor)
                                   {
                                       if (&executor != executor_.get()) // tables of another device
@@ -421,24 +432,39 @@ private:
         runWith(edges.isUMat(), counting,
                 [&](Executor& executor)
                 {
+                    if (map.source.empty() || !executor.takesUMats())
+                        readEdges(edges, none, map, counting.times);
                     countVotes(executor, map, plan, parameters_.method == METHOD_EXACT, l, tables_,
                                counting.times);
-                    executor.fetch(tables_.of(l));
+                    write(executor, plan, l, out);
                 });
-        const Level& shape = plan.level(l);
-        const int points = shape.cell.borderCount();
+        keep(counting);
+    }
+
+    void write(Executor& executor, const Plan& plan, int l, OutputArray out)
+    {
+        VoteTable& table = tables_.of(l);
+        const Level& level = plan.level(l);
+        const int points = level.cell.borderCount();
+        const Size size(level.grid.width * points, level.grid.height * points);
+        if (out.isUMat() && executor.takesUMats())
+        {
+            out.create(size, CV_32SC1);
+            executor.writeTable(plan, l, table, out.getUMat());
+            return;
+        }
+        executor.fetch(table);
         std::vector<int> rowBits, columnBits;
         plan.cellOrder(l, rowBits, columnBits);
-        Mat table(shape.grid.height * points, shape.grid.width * points, CV_32SC1);
-        for (int r = 0; r < shape.grid.height; ++r)
-            for (int c = 0; c < shape.grid.width; ++c)
-                writeCell(tables_.of(l), shape.cell, rowBits[r] + columnBits[c],
-                          table(Rect(c * points, r * points, points, points)));
+        Mat written(size, CV_32SC1);
+        for (int r = 0; r < level.grid.height; ++r)
+            for (int c = 0; c < level.grid.width; ++c)
+                writeCell(table, level.cell, rowBits[r] + columnBits[c],
+                          written(Rect(c * points, r * points, points, points)));
         if (out.fixedSize() || out.isUMat())
-            table.copyTo(out);
+            written.copyTo(out);
         else
-            out.assign(table);
-        keep(counting);
+            out.assign(written);
     }
 
     Requirement requirementFor(const EdgeMap& edges, const Plan& plan) const
@@ -449,14 +475,14 @@ private:
         return significance(edges, pixels, plan, parameters_.falseAlarms);
     }
 
-    void findLines(bool onDevice, const EdgeMap& edges, Counting& counting,
-                   std::vector<Vec3f>& lines, std::vector<Vec3f>& deviations)
+    void findLines(bool isUMat, const EdgeMap& edges, Counting& counting, std::vector<Vec3f>& lines,
+                   std::vector<Vec3f>& deviations)
     {
         const Plan& plan = *counting.plan;
         const AngleInterval angles = {parameters_.minTheta, parameters_.maxTheta};
         Requirement requirement;
         std::vector<Candidate> candidates;
-        runWith(onDevice, counting,
+        runWith(isUMat, counting,
                 [&](Executor& executor)
                 {
                     counting.level = levelForLines(plan, executor);
@@ -654,6 +680,7 @@ private:
 
     Parameters parameters_;
     Mat mask_;
+    UMat maskOnDevice_; // empty until it is needed
     Ptr<const Plan> plan_;
     int planMethod_, planCellSize_;
     Ptr<Executor> executor_;

@@ -41,7 +41,7 @@ bool isStronger(const GridLine& a, const GridLine& b)
 }
 
 //! The lines of the grid with more votes than the threshold that the Line Space does not rule out.
-std::vector<GridLine> countedLines(const EdgeMap& edges, bool onDevice, const HoughGrid& grid,
+std::vector<GridLine> countedLines(const EdgeMap& edges, bool isUMat, const HoughGrid& grid,
                                    int threshold)
 {
     const Ptr<const Plan> plan = Plan::cascaded(edges.votes.size(), 8);
@@ -58,7 +58,7 @@ std::vector<GridLine> countedLines(const EdgeMap& edges, bool onDevice, const Ho
     if (hasTable)
     {
         StageTimes times;
-        runOn(BACKEND_AUTO, onDevice, Ptr<Executor>(),
+        runOn(BACKEND_AUTO, isUMat, Ptr<Executor>(),
               [&](Executor& executor)
               {
                   countVotes(executor, edges, *plan, false, last, tables, times);
@@ -146,7 +146,7 @@ void HoughLines(InputArray image, OutputArray lines, double rho, double theta, i
                 Error::StsUnsupportedFormat,
                 ("lines has type %s: must be CV_32FC2 or CV_32FC3", typeToString(type).c_str()));
     }
-    const Mat source = image.getMat();
+    Mat source = image.getMat();
     if (source.type() != CV_8UC1)
         CV_Error_(Error::StsUnsupportedFormat,
                   ("image has type %s: must be CV_8UC1", typeToString(source.type()).c_str()));
@@ -171,9 +171,13 @@ void HoughLines(InputArray image, OutputArray lines, double rho, double theta, i
                           EdgeMap edges;
                           edges.weighted = use_edgeval;
                           if (use_edgeval)
-                              edges.votes = source.isContinuous() ? source : source.clone();
+                              edges.votes = source.isContinuous() && !image.isUMat()
+                                                ? source
+                                                : source.clone();
                           else
                               cv::min(source, Scalar(1), edges.votes);
+                          source.release(); // gives a UMat back to its device
+                          edges.source = onDevice(image);
                           std::vector<GridLine> counted =
                               countedLines(edges, image.isUMat(), grid, threshold);
                           found = strongestOfCells(counted, grid);

@@ -65,13 +65,6 @@ std::vector<BorderRow> rowsOf(const Cell& cell)
     return rows;
 }
 
-//! An image, for kernels that ask for its step and offset.
-const UMat& uploadImage(const Mat& from, UMat& to)
-{
-    from.copyTo(to);
-    return to;
-}
-
 class OpenClExecutor : public Executor
 {
 public:
@@ -80,6 +73,8 @@ public:
     int backend() const CV_OVERRIDE { return BACKEND_OPENCL; }
 
     bool isUsable() const CV_OVERRIDE { return context_ == ocl::Context::getDefault().ptr(); }
+
+    bool takesUMats() const CV_OVERRIDE { return true; }
 
     void clear() CV_OVERRIDE { *this = OpenClExecutor(); }
 
@@ -98,7 +93,9 @@ public:
         const int pixels = level.cell.width * level.cell.height, cells = (int)table.cells;
         if (!knowsCells_)
             listCells(plan);
-        const UMat votes = uploadImage(edges.votes, votes_);
+        const UMat votes = votesOf(edges);
+        if (edges.isOriented())
+            edges.directions.copyTo(directions_);
         allocateOn(gathered_, (size_t)pixels * cells);
         Launch(CASCADE_PROGRAM, "gatherPixels", "-D FIRST_CELLS -D PARENT=uchar -D CELLS=1")
             .with(ocl::KernelArg::ReadOnly(votes), in(corners_), cells, pixels, level.cell.width,
@@ -115,10 +112,9 @@ public:
                 .run(cells / together, table.chords);
             return;
         }
-        const UMat directions = uploadImage(edges.directions, directions_);
         allocateOn(gatheredDirections_, (size_t)pixels * cells * sizeof(ushort));
         Launch(CASCADE_PROGRAM, "gatherDirections", "-D FIRST_CELLS -D PARENT=uchar -D CELLS=1")
-            .with(ocl::KernelArg::ReadOnly(directions), in(corners_), cells, pixels,
+            .with(ocl::KernelArg::ReadOnly(directions_), in(corners_), cells, pixels,
                   level.cell.width, out(gatheredDirections_))
             .run(cells, pixels);
         Launch(CASCADE_PROGRAM, "firstCells", options + " -D ORIENTED")
@@ -156,7 +152,7 @@ public:
             level.setSize(rows);
         }
         const String options = format("-D EXACT -D PARENT=%s -D CELLS=1", typeOf(table.depth));
-        const UMat votes = uploadImage(edges.votes, votes_);
+        const UMat votes = votesOf(edges);
         if (!edges.isOriented())
         {
             Launch(CASCADE_PROGRAM, "exactVotes", options)
@@ -165,9 +161,9 @@ public:
                 .run(level.longestRow, level.rowCount);
             return;
         }
-        const UMat directions = uploadImage(edges.directions, directions_);
+        edges.directions.copyTo(directions_);
         Launch(CASCADE_PROGRAM, "exactVotes", options + orientedOptions())
-            .with(ocl::KernelArg::ReadOnly(votes), ocl::KernelArg::ReadOnlyNoSize(directions),
+            .with(ocl::KernelArg::ReadOnly(votes), ocl::KernelArg::ReadOnlyNoSize(directions_),
                   in(level.rows), level.rowCount, frame.width, frame.height, out(table.device))
             .run(level.longestRow, level.rowCount);
     }
@@ -190,7 +186,7 @@ public:
         static_assert(sizeof(Chord) == 2 * sizeof(int), "an int2 of the device");
         upload(chords, chords_);
         allocateOn(sums_, votes.size() * sizeof(int));
-        const UMat map = uploadImage(edges.votes, votes_);
+        const UMat map = votesOf(edges);
         const String options = "-D EXACT -D PARENT=int -D CELLS=1";
         if (!edges.isOriented())
             Launch(CASCADE_PROGRAM, "rescore", options)
@@ -199,13 +195,32 @@ public:
                 .run(chords.size(), 1);
         else
         {
-            const UMat directions = uploadImage(edges.directions, directions_);
+            edges.directions.copyTo(directions_);
             Launch(CASCADE_PROGRAM, "rescore", options + orientedOptions())
-                .with(ocl::KernelArg::ReadOnly(map), ocl::KernelArg::ReadOnlyNoSize(directions),
+                .with(ocl::KernelArg::ReadOnly(map), ocl::KernelArg::ReadOnlyNoSize(directions_),
                       in(chords_), (int)chords.size(), frame.width, frame.height, out(sums_))
                 .run(chords.size(), 1);
         }
         download(sums_, votes.size() * sizeof(int), votes.data());
+    }
+
+    void writeTable(const Plan& plan, int l, const VoteTable& table, const UMat& out) CV_OVERRIDE
+    {
+        prepare(plan);
+        LevelTables& level = levels_[l];
+        if (!level.knowsCells)
+        {
+            std::vector<int> rowBits, columnBits;
+            plan.cellOrder(l, rowBits, columnBits);
+            upload(rowBits, level.rowBits);
+            upload(columnBits, level.columnBits);
+            level.knowsCells = true;
+        }
+        const Cell& cell = plan.level(l).cell;
+        Launch(TABLE_PROGRAM, "writeTable", format("-D VOTES=%s", typeOf(table.depth)))
+            .with(in(table.device), cell.width, cell.height, (int)table.cells, in(level.rowBits),
+                  in(level.columnBits), ocl::KernelArg::WriteOnly(out))
+            .run(out.cols, out.rows);
     }
 
     void fetch(VoteTable& table) CV_OVERRIDE
@@ -223,11 +238,13 @@ private:
     //! What the device needs to know of a level of the plan.
     struct LevelTables
     {
-        bool isReady;
+        bool isReady; //!< but for the next two
+        bool knowsCells;
+        UMat rowBits, columnBits; //!< Plan::cellOrder
         UMat segments, rows;
         int longestRow, rowCount;
 
-        LevelTables() : isReady(false), longestRow(0), rowCount(0) {}
+        LevelTables() : isReady(false), knowsCells(false), longestRow(0), rowCount(0) {}
         void setSize(const std::vector<BorderRow>& borderRows)
         {
             rowCount = (int)borderRows.size();
@@ -239,9 +256,35 @@ private:
     //! Consecutive chords that a work item merges.
     static int chordsPerItem() { return isProcessor() ? 64 : 1; }
 
-    //! Forgets what is known of another plan.
+    //! What votes, on the device: as EdgeMap::votes.
+    UMat votesOf(const EdgeMap& edges)
+    {
+        if (edges.source.empty())
+        {
+            edges.votes.copyTo(votes_);
+            return votes_;
+        }
+        if (!edges.weighted)
+            cv::min(edges.source, Scalar(1), votes_);
+        const UMat votes = edges.weighted ? edges.source : votes_;
+        if (edges.sourceMask.empty())
+            return votes;
+        masked_.create(votes.size(), CV_8UC1);
+        masked_.setTo(0);
+        votes.copyTo(masked_, edges.sourceMask);
+        return masked_;
+    }
+
+    /** Forgets what is known of another plan. Each thread has a queue of its own: what another one
+    still has to do with the buffers comes first. */
     void prepare(const Plan& plan)
     {
+        if (queue_.ptr() != ocl::Queue::getDefault().ptr())
+        {
+            if (queue_.ptr())
+                queue_.finish();
+            queue_ = ocl::Queue::getDefault();
+        }
         const Cell& cell = plan.level(0).cell;
         const Vec<int, 5> key(plan.imageSize().width, plan.imageSize().height, cell.width,
                               cell.height, plan.levelCount());
@@ -315,11 +358,12 @@ private:
     }
 
     void* context_;
+    ocl::Queue queue_; //!< of the thread that worked last
     Vec<int, 5> plan_; //!< what tells plans apart
     bool knowsCells_;
     std::vector<LevelTables> levels_;
     UMat corners_, pixels_, starts_, bins_; //!< of cells and chords of level 0
-    UMat votes_, directions_;               //!< the edge map
+    UMat votes_, masked_, directions_;      //!< the edge map
     UMat gathered_, gatheredDirections_;
     UMat chords_, sums_; //!< of rescore
     DeviceMaxima maxima_;

@@ -30,8 +30,9 @@ const ocl::ProgramSource& sourceOf(DeviceProgram program)
 {
     using namespace ocl::linespace;
     static const ocl::ProgramSource cascade = joined(chords_oclsrc, cascade_oclsrc),
-                                    maxima = joined(chords_oclsrc, maxima_oclsrc);
-    return program == CASCADE_PROGRAM ? cascade : maxima;
+                                    maxima = joined(chords_oclsrc, maxima_oclsrc),
+                                    table = joined(chords_oclsrc, table_oclsrc);
+    return program == CASCADE_PROGRAM ? cascade : program == MAXIMA_PROGRAM ? maxima : table;
 }
 
 } // namespace

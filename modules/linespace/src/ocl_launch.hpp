@@ -48,7 +48,8 @@ inline ocl::KernelArg inOut(const UMat& memory)
 enum DeviceProgram
 {
     CASCADE_PROGRAM,
-    MAXIMA_PROGRAM
+    MAXIMA_PROGRAM,
+    TABLE_PROGRAM
 };
 
 /** A kernel of a program. Each launch has one of its own: one that is in flight cannot be launched

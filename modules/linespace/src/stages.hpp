@@ -67,7 +67,11 @@ struct VoteTable
 /** What votes: CV_8UC1 of the size of the image, continuous; 0 or 1, with weights 0 to 255. */
 struct EdgeMap
 {
+    //! May be empty if the source is not, for an executor that takes UMats.
     Mat votes;
+    //! The image and the mask that the votes come from, on OpenCV's device. The image is empty if it
+    //! is not there, the mask if there is none.
+    UMat source, sourceMask;
     bool weighted;
     //! CV_16UC1 of the same size, continuous: a pixel votes for the chords of the bins in its bits
     //! (orientation.hpp); empty: for all.
@@ -110,6 +114,9 @@ public:
     //! Whether it still can run: a device may not be the one in use any more.
     virtual bool isUsable() const { return true; }
 
+    //! Whether it works where the data of a UMat are: it reads EdgeMap::source, and writeTable() works.
+    virtual bool takesUMats() const { return false; }
+
     //! Makes room for a level's votes of so many bytes, where the stages want them.
     virtual void allocate(const Level& level, int bytesPerVote, VoteTable& table)
     {
@@ -151,6 +158,9 @@ public:
     {
         return false;
     }
+
+    //! Writes a level's table as LineSpaceDetector::computeLevel does, to CV_32SC1 of that size.
+    virtual void writeTable(const Plan&, int /*level*/, const VoteTable&, const UMat& /*out*/) {}
 
     //! The same as exactVotes for some chords of the frame, one result each.
     virtual void rescore(const EdgeMap& edges, const Plan& plan, const std::vector<Chord>& chords,

@@ -11,6 +11,8 @@
 
 #include <opencv2/core/ocl.hpp>
 
+#include <thread>
+
 namespace opencv_test {
 namespace {
 
@@ -98,6 +100,124 @@ TEST_F(Linespace_OpenCl, switched_off)
     detector->detect(onDevice, lines);
     EXPECT_EQ(BACKEND_CPU, detector->getActiveBackend());
     EXPECT_EQ(expected, lines);
+}
+
+//! Parts of images, weights, masks that come and go; the output on the device and on the host.
+TEST_F(Linespace_OpenCl, images_on_the_device)
+{
+    const Mat1b large = randomEdges(Size(120, 100), 0.3, 7) * 200;
+    UMat largeOnDevice;
+    large.copyTo(largeOnDevice);
+    const Rect part(5, 3, 83, 61);
+    const Mat1b masks[] = {Mat1b(), randomEdges(part.size(), 0.7, 8), Mat1b(),
+                           randomEdges(part.size(), 0.7, 9)};
+    const int backends[] = {BACKEND_CPU, BACKEND_AUTO};
+    Ptr<LineSpaceDetector> detectors[2];
+    for (int k = 0; k < 2; ++k)
+        detectors[k] = detectorFor(backends[k]);
+    for (int i = 0; i < 8; ++i)
+    {
+        Lines lines[2];
+        for (int k = 0; k < 2; ++k)
+        {
+            detectors[k]->setEdgeWeights(i >= 4);
+            detectors[k]->setThreshold(i >= 4 ? 3000 : 15);
+            detectors[k]->setMask(masks[i % 4]);
+        }
+        detectors[0]->detect(large(part), lines[0]);
+        detectors[1]->detect(largeOnDevice(part), lines[1]);
+        EXPECT_EQ(lines[0], lines[1]) << i;
+        EXPECT_FALSE(lines[0].empty());
+        for (int l = detectors[0]->getLevelCount() - 1; l >= 0; --l)
+        {
+            Mat expectedTable, table;
+            UMat tableOnDevice, margins;
+            detectors[0]->computeLevel(large(part), l, expectedTable);
+            detectors[1]->computeLevel(largeOnDevice(part), l, tableOnDevice);
+            detectors[1]->computeLevel(largeOnDevice(part), l, table);
+            EXPECT_EQ(0, cvtest::norm(expectedTable, table, NORM_INF)) << i << ", " << l;
+            EXPECT_EQ(0, cvtest::norm(expectedTable, tableOnDevice.getMat(ACCESS_READ), NORM_INF))
+                << i << ", " << l;
+            margins.create(expectedTable.rows + 7, expectedTable.cols + 5, CV_32SC1);
+            margins.setTo(-1);
+            detectors[1]->computeLevel(largeOnDevice(part), l,
+                                       margins(Rect(3, 2, expectedTable.cols, expectedTable.rows)));
+            Mat expectedMargins;
+            cv::copyMakeBorder(expectedTable, expectedMargins, 2, 5, 3, 2, BORDER_CONSTANT, -1);
+            EXPECT_EQ(0, cvtest::norm(expectedMargins, margins.getMat(ACCESS_READ), NORM_INF));
+        }
+    }
+}
+
+TEST_F(Linespace_OpenCl, a_umat_of_the_host)
+{
+    UMat onHost, table;
+    {
+        const UseOpenCl off(false);
+        edges.copyTo(onHost);
+    }
+    const Ptr<LineSpaceDetector> detector = detectorFor(BACKEND_AUTO);
+    Lines lines;
+    detector->detect(onHost, lines);
+    EXPECT_EQ(expected, lines);
+    EXPECT_EQ(hasDevice() ? BACKEND_OPENCL : BACKEND_CPU, detector->getActiveBackend());
+    Mat expectedTable;
+    detectorFor(BACKEND_CPU)->compute(edges, expectedTable);
+    detector->compute(onHost, table);
+    EXPECT_EQ(0, cvtest::norm(expectedTable, table.getMat(ACCESS_READ), NORM_INF));
+    {
+        const UseOpenCl off(false);
+        detector->compute(onDevice, table);
+        EXPECT_EQ(0, cvtest::norm(expectedTable, table.getMat(ACCESS_READ), NORM_INF));
+        EXPECT_EQ(BACKEND_CPU, detector->getActiveBackend());
+    }
+}
+
+//! Each thread has a queue of its own, and nothing waits for the device.
+TEST_F(Linespace_OpenCl, one_detector_from_one_thread_after_another)
+{
+    const Ptr<LineSpaceDetector> detector = detectorFor(BACKEND_AUTO);
+    const Mat1b images[] = {randomEdges(Size(300, 200), 0.1, 1),
+                            randomEdges(Size(300, 200), 0.6, 2)};
+    for (int round = 0; round < 6; ++round)
+    {
+        Mat expectedTable;
+        detectorFor(BACKEND_CPU)->compute(images[round % 2], expectedTable);
+        std::thread(
+            [&]()
+            {
+                UMat image, onDeviceTable;
+                images[round % 2].copyTo(image);
+                detector->compute(image, onDeviceTable);
+                detector->compute(onDevice, onDeviceTable); // queued when the thread ends
+            })
+            .join();
+        UMat image, onDeviceTable;
+        images[round % 2].copyTo(image);
+        detector->compute(image, onDeviceTable);
+        EXPECT_EQ(0, cvtest::norm(expectedTable, onDeviceTable.getMat(ACCESS_READ), NORM_INF));
+    }
+}
+
+//! Detectors in threads of their own, at the same time.
+TEST_F(Linespace_OpenCl, detectors_of_several_threads)
+{
+    std::vector<std::thread> threads;
+    std::vector<Lines> lines(4);
+    for (size_t i = 0; i < lines.size(); ++i)
+        threads.push_back(std::thread(
+            [this, i, &lines]()
+            {
+                UMat own;
+                edges.copyTo(own);
+                const Ptr<LineSpaceDetector> detector = detectorFor(BACKEND_AUTO);
+                for (int round = 0; round < 5; ++round)
+                    detector->detect(own, lines[i]);
+            }));
+    for (size_t i = 0; i < threads.size(); ++i)
+        threads[i].join();
+    for (size_t i = 0; i < lines.size(); ++i)
+        EXPECT_EQ(expected, lines[i]);
 }
 
 //! Small pools of candidates, with ties at the last one, and cuts that a sample sets too high.

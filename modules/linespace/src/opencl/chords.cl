@@ -63,3 +63,30 @@ inline Raster rasterOf(int2 p, int2 q)
     raster.rest = numerator - raster.minor * raster.modulus;
     return raster;
 }
+
+/* The table of a cell, as struct Cell. */
+typedef struct
+{
+    int width, height;
+} Frame;
+
+/* The first point of the side of p, and of the next side. */
+inline int2 sideOf(Frame frame, int p)
+{
+    const int right = frame.width, bottom = right + frame.height, left = bottom + frame.width;
+    return p < right    ? (int2)(0, right)
+           : p < bottom ? (int2)(right, bottom)
+           : p < left   ? (int2)(bottom, left)
+                        : (int2)(left, left + frame.height);
+}
+
+/* The first chord of a row that is not on the left side. */
+inline int rowStart(Frame frame, int s)
+{
+    const int w = frame.width, h = frame.height;
+    if (s < w)
+        return s * (w + 2 * h);
+    if (s < w + h)
+        return w * (w + 2 * h) + (s - w) * (w + h);
+    return w * (w + 2 * h) + h * (w + h) + (s - w - h) * h;
+}

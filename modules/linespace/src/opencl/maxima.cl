@@ -41,32 +41,6 @@ __kernel void resetSearch(__global int* histogram, int bins, int cut, __global i
     }
 }
 
-/* Rows of the table, as Cell::rowStart and Cell::firstPartner. */
-typedef struct
-{
-    int width, height;
-} Frame;
-
-inline int2 sideOf(Frame frame, int p)
-{
-    /* The first point of the side, and of the next one. */
-    const int right = frame.width, bottom = right + frame.height, left = bottom + frame.width;
-    return p < right    ? (int2)(0, right)
-           : p < bottom ? (int2)(right, bottom)
-           : p < left   ? (int2)(bottom, left)
-                        : (int2)(left, left + frame.height);
-}
-
-inline int rowStart(Frame frame, int s)
-{
-    const int w = frame.width, h = frame.height;
-    if (s < w)
-        return s * (w + 2 * h);
-    if (s < w + h)
-        return w * (w + 2 * h) + (s - w) * (w + h);
-    return w * (w + 2 * h) + h * (w + h) + (s - w - h) * h;
-}
-
 /* The ends of chord i of the table. */
 inline int2 chordAt(Frame frame, int i)
 {
