@@ -19,18 +19,9 @@ namespace {
 enum
 {
     RUN = 32,
-    TILE = 64
+    TILE = 64,
+    NUMBERS = 5
 };
-enum Number
-{
-    CUT,
-    PENDING,
-    LEAST,
-    TIES,
-    FOUND,
-    NUMBERS
-};
-
 //! A cut for the search comes from one run of so many.
 const int SAMPLE = 32;
 
@@ -107,24 +98,27 @@ bool DeviceMaxima::find(const EdgeMap& edges, const Plan& plan, const VoteTable&
         .run(tiles, 1);
     launch("scanTiles").with(inOut(counts_), tiles).run(1, 1);
 
-    int count = most;
-    if (!isFew)
+    // One read, if there are no more than the last time.
+    int room = isFew ? most : std::min(most, room_);
+    for (;; room = room_)
     {
-        int numbers[NUMBERS];
-        download(numbers_, sizeof(numbers), numbers);
-        count = numbers[FOUND];
+        allocateOn(maxima_, (1 + (size_t)room) * THREE);
+        launch("writeMaxima")
+            .with(in(table.device), frame.width, frame.height, in(masks_), runs, in(numbers_),
+                  in(counts_), tiles, out(maxima_), room)
+            .run(tiles, 1);
+        found.resize(1 + (size_t)room);
+        download(maxima_, found.size() * THREE, found.data());
+        const int count = found.front().votes;
+        if (count > room)
+        {
+            room_ = count;
+            continue;
+        }
+        found.erase(found.begin());
+        found.resize(count);
+        return true;
     }
-    allocateOn(maxima_, (1 + (size_t)count) * THREE);
-    launch("writeMaxima")
-        .with(in(table.device), frame.width, frame.height, in(masks_), runs, in(numbers_),
-              in(counts_), tiles, out(maxima_))
-        .run(tiles, 1);
-    found.resize(1 + (size_t)count);
-    download(maxima_, found.size() * THREE, found.data());
-    count = found.front().votes;
-    found.erase(found.begin());
-    found.resize(count);
-    return true;
 }
 
 } // namespace linespace

@@ -16,6 +16,8 @@ namespace linespace {
 class DeviceMaxima
 {
 public:
+    DeviceMaxima() : room_(1 << 12) {}
+
     /** As Executor::findMaxima; finds them in the order (s, e).
     @return false if it is asked for those that the requirement of several directions or an interval
     of angles leaves. */
@@ -27,6 +29,7 @@ private:
     UMat masks_;  //!< which chords of a run of the table are maxima
     UMat counts_; //!< of maxima of tiles of the table
     UMat maxima_;
+    int room_; //!< for so many, where all are asked for
 };
 
 } // namespace linespace

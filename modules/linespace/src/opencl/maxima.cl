@@ -23,7 +23,8 @@ enum
     PENDING, /* whether the next search is needed */
     LEAST,   /* votes of the last maximum wanted */
     TIES,    /* how many with as few are wanted */
-    FOUND    /* how many are wanted and are there */
+    FOUND,   /* how many are wanted and are there */
+    NUMBERS
 };
 
 #define VOTES16 CONCAT(VOTES, 16)
@@ -286,11 +287,11 @@ __kernel void scanTiles(__global int2* counts, int tiles)
     }
 }
 
-/* Threes of numbers: how many maxima follow (and 0, 0), then (votes, s, e) of each, in the order of the
-table. Global size: tiles. */
+/* Threes of numbers: how many maxima there are (and 0, 0), then (votes, s, e) of each, in the order of
+the table, as far as there is room. Global size: tiles. */
 __kernel void writeMaxima(__global const VOTES* table, int width, int height,
                           __global const uint* masks, int runs, __global const int* numbers,
-                          __global const int2* counts, int tiles, __global int* maxima)
+                          __global const int2* counts, int tiles, __global int* maxima, int room)
 {
     const int tile = get_global_id(0), least = numbers[LEAST], ties = numbers[TIES];
     if (tile >= tiles)
@@ -304,11 +305,11 @@ __kernel void writeMaxima(__global const VOTES* table, int width, int height,
         for (uint mask = masks[run]; mask; mask &= mask - 1)
         {
             const int i = run * RUN + 31 - (int)clz(mask & -mask), votes = table[i];
-            if (votes > least || (votes == least && before.y < ties))
+            const int place = before.x + min(before.y, ties);
+            if ((votes > least || (votes == least && before.y < ties)) && place < room)
             {
                 const int2 chord = chordAt(frame, i);
-                vstore3((int3)(votes, chord.x, chord.y), 1 + before.x + min(before.y, ties),
-                        maxima);
+                vstore3((int3)(votes, chord.x, chord.y), 1 + place, maxima);
             }
             before += (int2)(votes > least, votes == least);
         }

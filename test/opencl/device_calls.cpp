@@ -1,0 +1,76 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// Calls one function twice, UMat in, UMat out, for test_launches.py, which reads the device's own
+// account of it:
+//   linespace_device_calls compute|detect|recount|exact|houghlines IMAGE
+// The second call's lines of standard error stand between "warm call" and "end".
+
+#include <opencv2/core/ocl.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/linespace.hpp>
+
+#include <cstdio>
+
+int main(int argc, char** argv)
+{
+    if (argc != 3)
+    {
+        std::fprintf(stderr, "usage: linespace_device_calls FUNCTION IMAGE\n");
+        return 2;
+    }
+    const cv::String function = argv[1];
+    cv::Mat image = cv::imread(argv[2], cv::IMREAD_GRAYSCALE), edges;
+    if (image.empty())
+    {
+        std::fprintf(stderr, "%s cannot be read\n", argv[2]);
+        return 2;
+    }
+    if (!cv::ocl::useOpenCL())
+    {
+        std::printf("no OpenCL device\n");
+        return 77;
+    }
+    std::printf("%s\n", cv::ocl::Device::getDefault().name().c_str());
+    if (function == "houghlines")
+    {
+        // Of so many edge pixels that it counts chords first.
+        cv::resize(image, image, cv::Size(400, 300), 0, 0, cv::INTER_AREA);
+        cv::adaptiveThreshold(image, edges, 1, cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY, 5, 0);
+    }
+    else
+    {
+        const cv::Size size = function == "exact" ? cv::Size(100, 80) : cv::Size(640, 480);
+        cv::resize(image, image, size, 0, 0, cv::INTER_AREA);
+        cv::Canny(image, edges, 50, 150);
+    }
+    cv::UMat input, output;
+    edges.copyTo(input);
+    const cv::Ptr<cv::linespace::LineSpaceDetector> detector =
+        cv::linespace::LineSpaceDetector::create(edges.rows / 5, 100);
+    if (function == "recount")
+        detector->setSuppressionRadius(0); // candidates do not climb: the device counts them again
+    if (function == "exact")
+        detector->setMethod(cv::linespace::METHOD_EXACT);
+    for (int call = 0; call < 2; ++call)
+    {
+        std::fprintf(stderr, call == 0 ? "first call\n" : "warm call\n");
+        if (function == "compute")
+            detector->compute(input, output);
+        else if (function == "houghlines")
+            cv::linespace::HoughLines(input, output, 1, CV_PI / 1800, 120);
+        else
+            detector->detect(input, output);
+    }
+    std::fprintf(stderr, "end\n");
+    cv::ocl::finish();
+    if (output.empty())
+    {
+        std::printf("nothing was found\n");
+        return 1;
+    }
+    std::printf("%d levels, %d x %d out\n", detector->getLevelCount(), output.cols, output.rows);
+    return 0;
+}

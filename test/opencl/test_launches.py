@@ -1,0 +1,142 @@
+# This file is part of the Line Space module for OpenCV.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+"""What the device does, by its own account: PoCL tells of every command (POCL_TRACING) and of every
+call (POCL_DEBUG). Kernels are compiled as OpenCL C 1.2, warnings are errors."""
+
+import collections
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = os.environ["LINESPACE_DEVICE_CALLS"]
+PHOTOGRAPH = Path(os.environ["LINESPACE_SAMPLES_DATA"]) / "building.jpg"
+
+CALLS = 2  # of the program, of which the second one is warm
+CASCADE = ["gatherPixels", "firstCells", "mergeCells"]
+SEARCH = ["resetSearch", "searchMaxima", "raiseCut", "checkCut", "chooseLeast", "countTiles",
+          "scanTiles", "writeMaxima"]
+
+
+class Account:
+    """One run of the program."""
+
+    def __init__(self, function, caches):
+        with tempfile.TemporaryDirectory() as folder:
+            trace = Path(folder) / "trace"
+            environment = dict(os.environ, POCL_TRACING="text", POCL_TRACING_OPT=str(trace),
+                               POCL_DEBUG="all", POCL_CACHE_DIR=str(Path(caches) / "pocl"),
+                               OPENCV_OPENCL_CACHE_DIR=str(Path(caches) / "opencv"),
+                               OPENCV_OPENCL_BUILD_EXTRA_OPTIONS="-cl-std=CL1.2 -Werror")
+            for folder in ("pocl", "opencv"):
+                (Path(caches) / folder).mkdir(exist_ok=True)
+            done = subprocess.run([PROGRAM, function, str(PHOTOGRAPH)], env=environment,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                  errors="replace", check=False)
+            self.out = done.stdout.strip()
+            if done.returncode != 0:
+                raise RuntimeError(f"{function}: status {done.returncode}: {done.stdout}")
+            self.log = re.sub(r"\x1b\[[0-9;]*m", "", done.stderr)
+            self.trace = trace.read_text()
+        self.launches = collections.Counter(
+            re.findall(r"ndrange_kernel \| complete \|.*name=(\w+)", self.trace))
+        self.warm = re.search(r"(?ms)^warm call$(.*?)^end$", self.log).group(1)
+        print(f"{function}: {self.out.splitlines()[0]}: " +
+              ", ".join(f"{name} {count}" for name, count in sorted(self.launches.items())))
+
+    def levels(self):
+        return int(re.search(r"(\d+) levels", self.out).group(1))
+
+    @staticmethod
+    def builds(log):
+        return log.count("building from sources")
+
+    @staticmethod
+    def blocking_reads(log):
+        return len(re.findall(r"Created event \d+ \(\w+\) Command (?:read_buffer|map_buffer)", log))
+
+    @staticmethod
+    def largest_buffer(log):
+        sizes = re.findall(r"Created Buffer .*SIZE (\d+)", log)
+        return max(map(int, sizes), default=0)
+
+
+class Launches(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.caches = tempfile.TemporaryDirectory()
+        cls.accounts = {function: Account(function, cls.caches.name)
+                        for function in ("compute", "detect", "recount", "exact", "houghlines")}
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.caches.cleanup()
+
+    def expect(self, function, kernels, merges=0):
+        expected = collections.Counter(kernels)
+        if merges:
+            expected["mergeCells"] = merges
+        found = {name: count for name, count in self.accounts[function].launches.items()
+                 if name in expected}
+        self.assertEqual(found, {name: CALLS * count for name, count in expected.items()})
+
+    def test_compute(self):
+        merges = self.accounts["compute"].levels() - 1
+        self.assertGreater(merges, 8)
+        self.expect("compute", CASCADE + ["writeTable"], merges)
+
+    def test_detect(self):
+        # The search is queued a second time for a cut that is too high.
+        self.expect("detect", CASCADE + SEARCH + 2 * ["searchMaxima"],
+                    self.accounts["detect"].levels() - 1)
+
+    def test_candidates_that_are_counted_again(self):
+        self.expect("recount", CASCADE + SEARCH + 2 * ["searchMaxima"] + ["rescore"],
+                    self.accounts["recount"].levels() - 1)
+
+    def test_the_exact_method(self):
+        self.expect("exact", ["exactVotes", "resetSearch", "searchMaxima", "chooseLeast",
+                              "countTiles", "scanTiles", "writeMaxima"])
+
+    def test_the_drop_in(self):
+        launches = self.accounts["houghlines"].launches
+        for kernel in CASCADE:
+            self.assertGreater(launches[kernel], 0, kernel)
+        self.assertEqual(launches["mergeCells"] % CALLS, 0)
+
+    def test_a_warm_call_builds_and_allocates_nothing(self):
+        for function in ("compute", "detect", "recount", "exact"):
+            with self.subTest(function):
+                account = self.accounts[function]
+                self.assertGreater(account.builds(account.log), 0)
+                self.assertGreater(account.largest_buffer(account.log), 10000)
+                self.assertEqual(account.builds(account.warm), 0)
+                self.assertLess(account.largest_buffer(account.warm), 10000)
+
+    def test_a_warm_call_reads_twice_at_most(self):
+        reads = {function: account.blocking_reads(account.warm)
+                 for function, account in self.accounts.items()}
+        print("blocking reads of a warm call:", reads)
+        self.assertEqual(reads["compute"], 0)
+        self.assertLessEqual(reads["detect"], 2)
+        self.assertLessEqual(reads["exact"], 2)
+        self.assertLessEqual(reads["houghlines"], 2)
+
+    def test_the_second_start_builds_nothing(self):
+        for function in ("compute", "detect"):
+            account = Account(function, self.caches.name)
+            self.assertEqual(account.builds(account.log), 0, function)
+
+
+if __name__ == "__main__":
+    probe = subprocess.run([PROGRAM, "compute", str(PHOTOGRAPH)], stdout=subprocess.PIPE,
+                           stderr=subprocess.DEVNULL, text=True, check=False)
+    if probe.returncode == 77 or not probe.stdout.startswith(("pthread", "basic", "cpu")):
+        print("SKIPPED: OpenCV uses no PoCL device: " + probe.stdout.strip())
+        sys.exit(1 if os.environ.get("LINESPACE_REQUIRE_BACKENDS") == "1" else 77)
+    unittest.main()
