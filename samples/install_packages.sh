@@ -21,6 +21,10 @@ test=(
     # OpenCV's own build, reduced.
     opencl-c-headers zlib1g-dev libpng-dev libjpeg-dev
 )
+# A simulator of OpenCL devices that checks what kernels do with memory; Debian 13 has none.
+if [[ $(. /etc/os-release && echo "${VERSION_CODENAME:-}") == bookworm ]]; then
+    test+=(oclgrind)
+fi
 # xz-utils: OpenCV's sources, which configuring the tests looks for.
 accuracy=(libopencv-contrib-dev python3 python3-numpy python3-scipy python3-matplotlib xz-utils)
 # On the machine itself; OpenCV for arm64 is unpacked into build/, see test/aarch64/make_sysroot.sh.

@@ -49,7 +49,7 @@ void allocateOn(UMat& memory, size_t bytes)
     memory.release();
     if (bytes > std::min<size_t>(ocl::Device::getDefault().maxMemAllocSize(), INT_MAX))
         throw DeviceFailure(
-            format("%.0f MiB are more than the device gives at once", (double)bytes / (1 << 20)));
+            format("%.0f bytes are more than the device gives at once", (double)bytes));
     memory.create(1, (int)bytes, CV_8UC1);
 }
 

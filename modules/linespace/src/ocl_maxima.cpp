@@ -41,7 +41,7 @@ bool DeviceMaxima::find(const EdgeMap& edges, const Plan& plan, const VoteTable&
     const int chords = (int)table.chords, runs = (chords + RUN - 1) / RUN;
     const int tiles = (runs + TILE - 1) / TILE;
     const int most = (int)std::min<size_t>(wanted.most, table.chords);
-    const bool isFew = most < chords / SAMPLE;
+    const bool isFew = most < chords / SAMPLE && runs >= SAMPLE;
     const int bins =
         asInt((double)plan.level(plan.levelCount() - 1).maxVotes * (edges.weighted ? 255 : 1) + 1);
     allocateOn(histogram_, bins * sizeof(int));

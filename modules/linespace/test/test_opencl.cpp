@@ -220,6 +220,38 @@ TEST_F(Linespace_OpenCl, detectors_of_several_threads)
         EXPECT_EQ(expected, lines[i]);
 }
 
+TEST_F(Linespace_OpenCl, random_sizes_and_densities)
+{
+    RNG random(5);
+    for (int i = 0; i < 200; ++i)
+    {
+        const Size size(random.uniform(1, 260), random.uniform(1, 200));
+        const Mat1b image = randomEdges(size, random.uniform(0., 1.), (unsigned)i);
+        UMat imageOnDevice;
+        Mat1b(image * random.uniform(1, 256)).copyTo(imageOnDevice);
+        const int backends[] = {BACKEND_CPU, BACKEND_AUTO};
+        Lines lines[2], oriented[2];
+        Mat tables[2];
+        for (int k = 0; k < 2; ++k)
+        {
+            const Ptr<LineSpaceDetector> detector = detectorFor(backends[k]);
+            detector->setEdgeWeights(i % 4 == 3);
+            detector->setThreshold(std::min(size.width, size.height) / 2);
+            detector->setMaxLines(200);
+            if (i % 3 == 0)
+                detector->setMask(randomEdges(size, 0.8, (unsigned)i + 1000));
+            UMat table;
+            detector->detect(imageOnDevice, lines[k]);
+            detector->detect(imageOnDevice, noArray(), noArray(), oriented[k]);
+            detector->compute(imageOnDevice, table);
+            table.copyTo(tables[k]);
+        }
+        ASSERT_EQ(lines[0], lines[1]) << i << ": " << size;
+        ASSERT_EQ(oriented[0], oriented[1]) << i << ": " << size;
+        ASSERT_EQ(0, cvtest::norm(tables[0], tables[1], NORM_INF)) << i << ": " << size;
+    }
+}
+
 //! Small pools of candidates, with ties at the last one, and cuts that a sample sets too high.
 TEST_F(Linespace_OpenCl, the_strongest_candidates)
 {

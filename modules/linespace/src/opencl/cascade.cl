@@ -31,8 +31,8 @@ __kernel void gatherPixels(__global const uchar* image, int step, int offset, in
     const int cell = get_global_id(0), pixel = get_global_id(1);
     if (cell >= cells || pixel >= pixels)
         return;
-    const int x = corners[2 * cell] + pixel % cellWidth,
-              y = corners[2 * cell + 1] + pixel / cellWidth;
+    const int row = pixel / cellWidth;
+    const int x = corners[2 * cell] + pixel - row * cellWidth, y = corners[2 * cell + 1] + row;
     planes[(size_t)pixel * cells + cell] =
         x < columns && y < rows ? image[offset + y * step + x] : (uchar)0;
 }
@@ -44,8 +44,8 @@ __kernel void gatherDirections(__global const uchar* image, int step, int offset
     const int cell = get_global_id(0), pixel = get_global_id(1);
     if (cell >= cells || pixel >= pixels)
         return;
-    const int x = corners[2 * cell] + pixel % cellWidth,
-              y = corners[2 * cell + 1] + pixel / cellWidth;
+    const int row = pixel / cellWidth;
+    const int x = corners[2 * cell] + pixel - row * cellWidth, y = corners[2 * cell + 1] + row;
     planes[(size_t)pixel * cells + cell] =
         x < columns && y < rows
             ? *(__global const ushort*)(image + offset + y * step + x * (int)sizeof(ushort))

@@ -1,0 +1,37 @@
+#!/bin/bash
+# This file is part of the Line Space module for OpenCV.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+# Runs PROGRAM (small_images.cpp) on devices that oclgrind simulates:
+#   simulate.sh PROGRAM
+# one that reports accesses beyond buffers and data races, and some of tight limits. Exit status 77:
+# there is no oclgrind.
+set -euo pipefail
+program=${1:?usage: simulate.sh PROGRAM}
+if ! command -v oclgrind >/dev/null; then
+    echo "SKIPPED: oclgrind is not installed"
+    exit 77
+fi
+export OPENCV_OPENCL_DEVICE=Oclgrind: OPENCV_OPENCL_CACHE_ENABLE=0
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+
+# simulate BACKEND OPTION...
+simulate() {
+    local backend=$1
+    shift
+    echo "oclgrind $* ($backend)"
+    : >"$log"
+    local status=0
+    oclgrind --log "$log" "$@" "$program" "$backend" || status=$?
+    if [[ $status != 0 || -s $log ]]; then
+        head -40 "$log"
+        exit 1
+    fi
+}
+
+simulate opencl --data-races
+simulate opencl --max-wgsize 16
+# Less memory than a table needs: the processor takes over.
+simulate cpu --global-mem-size 64

@@ -1,0 +1,108 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// Calls every kernel on small images and compares with the CPU path; for a simulator of devices,
+// which checks what kernels do with memory, or has limits that this machine's device has not:
+//   linespace_small_images opencl|cpu
+// The argument is the back end that is to run: cpu, where the device cannot.
+
+#include <opencv2/core/ocl.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/linespace.hpp>
+
+#include <cstdio>
+#include <string>
+
+using cv::linespace::LineSpaceDetector;
+
+namespace {
+
+int differences = 0;
+
+void check(bool same, const char* what, int variant, cv::Size size)
+{
+    if (same)
+        return;
+    std::printf("%s differs, variant %d of %d x %d\n", what, variant, size.width, size.height);
+    ++differences;
+}
+
+bool same(const cv::Mat& a, const cv::Mat& b)
+{
+    return a.size() == b.size() &&
+           (a.empty() || (a.type() == b.type() && cv::norm(a, b, cv::NORM_INF) == 0));
+}
+
+cv::Ptr<LineSpaceDetector> detectorOf(int variant, const cv::Mat& mask)
+{
+    const cv::Ptr<LineSpaceDetector> detector = LineSpaceDetector::create(variant % 2 ? 4 : 0);
+    detector->setFalseAlarms(1e6);
+    detector->setEdgeWeights(variant & 4);
+    if (variant & 8)
+        detector->setMask(mask);
+    detector->setMethod(variant % 5 == 4 ? cv::linespace::METHOD_EXACT
+                                         : cv::linespace::METHOD_CASCADED);
+    detector->setSuppressionRadius(variant % 3 == 0 ? 0 : variant % 3 == 1 ? 2 : 7);
+    detector->setPoolSize(variant % 7 < 4 ? 10 : 8192);
+    detector->setMaxLines(variant % 7 < 4 ? 1 : 0);
+    return detector;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    if (argc != 2)
+    {
+        std::fprintf(stderr, "usage: linespace_small_images opencl|cpu\n");
+        return 2;
+    }
+    if (!cv::ocl::useOpenCL())
+    {
+        std::printf("no OpenCL device\n");
+        return 77;
+    }
+    const cv::ocl::Device& device = cv::ocl::Device::getDefault();
+    std::printf("%s, work groups of %d\n", device.name().c_str(), (int)device.maxWorkGroupSize());
+    const int expected =
+        std::string(argv[1]) == "cpu" ? cv::linespace::BACKEND_CPU : cv::linespace::BACKEND_OPENCL;
+    cv::RNG random(1);
+    int calls = 0;
+    for (int variant = 0; variant < 20; ++variant)
+    {
+        const cv::Size size(1 + variant * 13 % 41, 1 + variant * 7 % 29);
+        cv::Mat noise(size, CV_8UC1), large, mask(size, CV_8UC1), dx, dy;
+        random.fill(noise, cv::RNG::UNIFORM, 0, 256);
+        const cv::Mat edges = noise.mul(noise < 70);
+        random.fill(mask, cv::RNG::UNIFORM, 0, 4);
+        cv::Sobel(noise, dx, CV_16S, 1, 0);
+        cv::Sobel(noise, dy, CV_16S, 0, 1);
+        // A part of a larger image, with an offset and a step.
+        cv::copyMakeBorder(edges, large, 2, 3, 5, 4, cv::BORDER_CONSTANT, 255);
+        cv::UMat largeOnDevice;
+        large.copyTo(largeOnDevice);
+        const cv::UMat onDevice = largeOnDevice(cv::Rect(5, 2, size.width, size.height));
+
+        const cv::Ptr<LineSpaceDetector> cpu = detectorOf(variant, mask);
+        const cv::Ptr<LineSpaceDetector> automatic = detectorOf(variant, mask);
+        cv::Mat byCpu, found;
+        cpu->detect(edges, byCpu);
+        automatic->detect(onDevice, found);
+        check(automatic->getActiveBackend() == expected, "back end", variant, size);
+        check(same(byCpu, found), "detect", variant, size);
+        cpu->detect(edges, dx, dy, byCpu);
+        automatic->detect(onDevice, dx, dy, found);
+        check(same(byCpu, found), "oriented detect", variant, size);
+        for (int level = 0; level < cpu->getLevelCount(); ++level)
+        {
+            cv::UMat table;
+            cpu->computeLevel(edges, level, byCpu);
+            automatic->computeLevel(onDevice, level, table);
+            check(same(byCpu, table.getMat(cv::ACCESS_READ)), "computeLevel", variant, size);
+        }
+        calls += 2 + cpu->getLevelCount();
+    }
+    std::printf("%d calls, %d differences\n", calls, differences);
+    return differences > 0;
+}
