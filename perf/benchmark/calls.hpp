@@ -68,6 +68,11 @@ Call houghLines(const Input& input, const std::string& step, int threshold);
 Call openClHoughLines(const Input& input, const std::string& step);
 bool isOpenClThere();
 
+/** What runs on OpenCL, with one run of the reference for all: `detect` of a cv::UMat, by a detector
+that is kept and by a new one; cv::HoughLines and its drop-in at 1 degree on it; the transfer of an
+edge map to the device and of as many lines back. Only if isOpenClThere(). */
+std::vector<Call> openClCalls(const Input& input);
+
 //! cv::HoughLinesP(1, 1 degree), least length a fifth of the shorter side, gaps of 3 pixels.
 Call houghLinesP(const Input& input);
 

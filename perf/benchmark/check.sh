@@ -23,7 +23,7 @@ for plot in photographs size density threads instruction-sets roofline; do
     done
     grep -q "($plot.png)" "$folder/results.md"
 done
-for table in requirements paper photographs-128x96 limits-1 memory; do
+for table in requirements paper photographs-128x96 opencl-128x96 limits-1 memory; do
     [[ -s $folder/table-$table.csv ]] || {
         echo "check.sh: no table-$table.csv" >&2
         exit 1

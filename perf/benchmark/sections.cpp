@@ -92,6 +92,22 @@ void timePaper(const Settings& settings, Recorder& recorder)
         }
 }
 
+void timeOpenCl(const Settings& settings, Recorder& recorder)
+{
+    if (!isOpenClThere())
+        return;
+    for (const cv::Size size : photographSizes(settings))
+        for (const std::string& name : photographNames(settings))
+        {
+            const Input input = photograph(settings.data, name, size);
+            std::vector<Call> calls = {detection(input, Kind::DETECT),
+                                       dropIn(input, "1 deg", input.threshold),
+                                       houghLines(input, "1 deg", input.threshold)};
+            append(calls, openClCalls(input));
+            timeInTurn("opencl", input, calls, settings, recorder);
+        }
+}
+
 void timeSizes(const Settings& settings, Recorder& recorder)
 {
     for (const cv::Size size : squares(settings.some<int>({64, 128, 256, 512, 1024, 2048}, 3)))

@@ -20,6 +20,9 @@ void timePhotographs(const Settings& settings, Recorder& recorder,
 //! Table 1 of the paper: two images of different density, n = 64 to 1024.
 void timePaper(const Settings& settings, Recorder& recorder);
 
+//! cv::UMat beside cv::Mat on the photographs.
+void timeOpenCl(const Settings& settings, Recorder& recorder);
+
 //! One photograph at n = 64 to 2048.
 void timeSizes(const Settings& settings, Recorder& recorder);
 

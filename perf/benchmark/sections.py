@@ -108,6 +108,30 @@ Times over the side n for two images of different density p of edge pixels, k = 
     report.table(table)
 
 
+def write_opencl(report):
+    times = report.run.section("opencl")
+    if times.empty:
+        return
+    report.text("""## OpenCL
+
+*OpenCL Line Space*: `detect` of a cv::UMat for the 100 strongest lines, by a detector that is kept; *first call*: a new detector each time, its
+kernels compiled before. *Drop-in*: `cv::linespace::HoughLines` on the UMat; *HoughLines*: `cv::HoughLines` on it, at most 4096 lines.
+*Edge map in*: from a cv::Mat to the UMat, which no other row contains; *lines out*: 100 lines from a UMat to a Mat. Without *OpenCL*: on cv::Mat. Device: {device}.
+Milliseconds: medians (quartiles, n calls).
+""".format(device=report.run.machine["opencl"]))
+    for (width, height), here in times.groupby(["width", "height"], sort=False):
+        images = list(dict.fromkeys(here["image"]))
+        table = Table(f"opencl-{width}x{height}", size_text(width, height),
+                      ["method", *images, "over OpenCL Line Space (median)"])
+        for method in dict.fromkeys(here["method"]):
+            rows = here[here["method"] == method].set_index("image")
+            ratio = measurements.ratios(here, method, "OpenCL Line Space").median()
+            table.add(plots.label(method),
+                      *(spread(rows.loc[image]) if image in rows.index else "-"
+                        for image in images), number(ratio, 2))
+        report.table(table)
+
+
 def write_sizes(report):
     times = report.run.section("sizes")
     if times.empty:
