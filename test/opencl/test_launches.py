@@ -92,7 +92,7 @@ class Launches(unittest.TestCase):
 
     def test_detect(self):
         # The search is queued a second time for a cut that is too high.
-        self.expect("detect", CASCADE + SEARCH + 2 * ["searchMaxima"],
+        self.expect("detect", CASCADE + ["poolVotes"] + SEARCH + 2 * ["searchMaxima"],
                     self.accounts["detect"].levels() - 1)
 
     def test_candidates_that_are_counted_again(self):

@@ -485,13 +485,14 @@ private:
         runWith(isUMat, counting,
                 [&](Executor& executor)
                 {
-                    counting.level = levelForLines(plan, executor);
-                    countVotes(executor, edges, plan, parameters_.method == METHOD_EXACT,
-                               counting.level, tables_, counting.times);
-                    // A device is still counting.
                     requirement = requirementFor(edges, plan);
                     if (requirement.threshold == INT_MAX)
                         return;
+                    counting.level = levelForLines(plan, executor);
+                    countVotes(executor, edges, plan, parameters_.method == METHOD_EXACT,
+                               counting.level, tables_, counting.times,
+                               parameters_.pruning ? candidateThreshold(requirement) : -1);
+                    // A device is still counting.
                     planes_.reset(edges, plan.frame());
                     candidates = candidatesFor(executor, edges, requirement, angles, counting);
                     if (parameters_.method == METHOD_EXACT) // whose table holds exact votes
@@ -538,20 +539,31 @@ private:
         return base < 0 || !bundles_.isWorthATry(plan.imageSize()) ? last : base;
     }
 
+    //! The exact method's votes need no second count and no lower threshold.
+    double candidateRatio() const
+    {
+        return parameters_.method == METHOD_EXACT ? 1 : parameters_.candidateRatio;
+    }
+
+    //! Candidates have more votes in the table.
+    int candidateThreshold(const Requirement& requirement) const
+    {
+        return cvFloor(candidateRatio() * requirement.threshold);
+    }
+
     //! The chords of the frame whose exact votes may meet the requirement.
     std::vector<Candidate> candidatesFor(Executor& executor, const EdgeMap& edges,
                                          const Requirement& requirement,
                                          const AngleInterval& angles, Counting& counting)
     {
         const Plan& plan = *counting.plan;
-        // The exact method's votes need no second count and no lower threshold.
-        const bool exact = parameters_.method == METHOD_EXACT;
-        const double ratio = exact ? 1 : parameters_.candidateRatio;
+        const double ratio = candidateRatio();
         const Cell& frame = plan.frame();
         Wanted wanted;
-        wanted.threshold = cvFloor(ratio * requirement.threshold);
-        wanted.most =
-            !exact && parameters_.maxLines > 0 ? poolSize() : std::numeric_limits<size_t>::max();
+        wanted.threshold = candidateThreshold(requirement);
+        wanted.most = parameters_.method != METHOD_EXACT && parameters_.maxLines > 0
+                          ? poolSize()
+                          : std::numeric_limits<size_t>::max();
         if (!requirement.pixels.empty() || !angles.isFull())
             wanted.accepts = [&](const Candidate& candidate)
             {

@@ -22,6 +22,7 @@ struct DeviceSegment
 {
     int firstEnd, count, isCrossing, childS, chordS, strideS, chordE, strideE, stepE;
     int numerator, numeratorStep, denominator, denominatorStep;
+    int pointS, pointE, sharedS, directionS, sharedE, directionE;
 };
 
 DeviceSegment deviceSegment(const Merge& merge, int s, const Segment& segment)
@@ -38,7 +39,13 @@ DeviceSegment deviceSegment(const Merge& merge, int s, const Segment& segment)
                             0,
                             0,
                             1,
-                            0};
+                            0,
+                            merge.childPoint(s),
+                            merge.childPoint(segment.firstEnd),
+                            merge.sharedPoint(segment.childS, 0),
+                            merge.sharedDirection(segment.childS),
+                            merge.sharedPoint(1 - segment.childS, 0),
+                            merge.sharedDirection(1 - segment.childS)};
     if (!segment.isCrossing)
         return result;
     const CrossingRun run(merge, s, segment.firstEnd);
@@ -93,37 +100,35 @@ public:
         const int pixels = level.cell.width * level.cell.height, cells = (int)table.cells;
         if (!knowsCells_)
             listCells(plan);
-        const UMat votes = votesOf(edges);
-        if (edges.isOriented())
-            edges.directions.copyTo(directions_);
+        const Votes votes = votesOf(edges);
         allocateOn(gathered_, (size_t)pixels * cells);
-        Launch(CASCADE_PROGRAM, "gatherPixels", "-D FIRST_CELLS -D PARENT=uchar -D CELLS=1")
-            .with(ocl::KernelArg::ReadOnly(votes), in(corners_), cells, pixels, level.cell.width,
-                  out(gathered_))
+        Launch gather(CASCADE_PROGRAM, "gatherPixels",
+                      "-D FIRST_CELLS -D PARENT=uchar -D CELLS=1" + votes.options);
+        votes.giveTo(gather);
+        gather.with(in(corners_), cells, pixels, level.cell.width, out(gathered_))
             .run(cells, pixels);
-        const int together = (int)std::min<size_t>(table.cells, MOST_TOGETHER);
-        const String options =
-            format("-D FIRST_CELLS -D PARENT=%s -D CELLS=%d", typeOf(table.depth), together);
-        if (!edges.isOriented())
+        if (edges.isOriented())
         {
-            Launch(CASCADE_PROGRAM, "firstCells", options)
-                .with(in(gathered_), in(pixels_), in(starts_), cells, (int)table.chords,
-                      out(table.device))
-                .run(cells / together, table.chords);
-            return;
+            allocateOn(gatheredDirections_, (size_t)pixels * cells * sizeof(ushort));
+            Launch(CASCADE_PROGRAM, "gatherDirections", "-D FIRST_CELLS -D PARENT=uchar -D CELLS=1")
+                .with(ocl::KernelArg::ReadOnly(votes.directions), in(corners_), cells, pixels,
+                      level.cell.width, out(gatheredDirections_))
+                .run(cells, pixels);
         }
-        allocateOn(gatheredDirections_, (size_t)pixels * cells * sizeof(ushort));
-        Launch(CASCADE_PROGRAM, "gatherDirections", "-D FIRST_CELLS -D PARENT=uchar -D CELLS=1")
-            .with(ocl::KernelArg::ReadOnly(directions_), in(corners_), cells, pixels,
-                  level.cell.width, out(gatheredDirections_))
-            .run(cells, pixels);
-        Launch(CASCADE_PROGRAM, "firstCells", options + " -D ORIENTED")
-            .with(in(gathered_), in(gatheredDirections_), in(bins_), in(pixels_), in(starts_),
-                  cells, (int)table.chords, out(table.device))
+        const int together = (int)std::min<size_t>(table.cells, MOST_TOGETHER);
+        Launch first(
+            CASCADE_PROGRAM, "firstCells",
+            format("-D FIRST_CELLS -D PARENT=%s -D CELLS=%d", typeOf(table.depth), together) +
+                (edges.isOriented() ? " -D ORIENTED" : ""));
+        first.with(in(gathered_));
+        if (edges.isOriented())
+            first.with(in(gatheredDirections_), in(bins_));
+        first.with(in(pixels_), in(starts_), cells, (int)table.chords, out(table.device))
             .run(cells / together, table.chords);
     }
 
-    void mergeCells(const Plan& plan, int l, const VoteTable& child, VoteTable& parent) CV_OVERRIDE
+    void mergeCells(const Plan& plan, int l, const VoteTable& child, VoteTable& parent,
+                    int worthless) CV_OVERRIDE
     {
         prepare(plan);
         LevelTables& level = levels_[l];
@@ -131,12 +136,29 @@ public:
             listRows(plan.merge(l), level);
         const int together = (int)std::min<size_t>(parent.cells, MOST_TOGETHER);
         const int run = chordsPerItem();
-        Launch(CASCADE_PROGRAM, "mergeCells",
-               format("-D MERGE -D MAX_SEGMENTS=%d -D RUN=%d -D CHILD=%s -D PARENT=%s -D CELLS=%d",
-                      MAX_SEGMENTS, run, typeOf(child.depth), typeOf(parent.depth), together))
+        const Size size((level.longestRow + run - 1) / run, level.rowCount);
+        const String options =
+            format("-D MERGE -D MAX_SEGMENTS=%d -D RUN=%d -D CHILD=%s -D PARENT=%s -D CELLS=%d",
+                   MAX_SEGMENTS, run, typeOf(child.depth), typeOf(parent.depth), together);
+        if (worthless < 0 || parent.cells > 1 || parent.chords < LEAST_PRUNED)
+        {
+            Launch(CASCADE_PROGRAM, "mergeCells", options)
+                .with(in(level.segments), in(level.rows), level.rowCount, (int)parent.cells,
+                      in(child.device), out(parent.device))
+                .run(size.width, size.height, run > 1);
+            return;
+        }
+        const Cell& cell = plan.level(l - 1).cell;
+        const int blocks = (cell.borderCount() + BLOCK - 1) / BLOCK;
+        const String pruned = options + format(" -D PRUNED -D BLOCK=%d", (int)BLOCK);
+        allocateOn(pools_, (size_t)blocks * blocks * sizeof(Vec2i));
+        Launch(CASCADE_PROGRAM, "poolVotes", pruned)
+            .with(in(child.device), cell.width, cell.height, blocks, out(pools_))
+            .run(blocks, blocks);
+        Launch(CASCADE_PROGRAM, "mergeCells", pruned)
             .with(in(level.segments), in(level.rows), level.rowCount, (int)parent.cells,
-                  in(child.device), out(parent.device))
-            .run((level.longestRow + run - 1) / run, level.rowCount, run > 1);
+                  in(child.device), out(parent.device), in(pools_), blocks, worthless)
+            .run(size.width, size.height, run > 1);
     }
 
     void exactVotes(const EdgeMap& edges, const Plan& plan, VoteTable& table) CV_OVERRIDE
@@ -151,20 +173,13 @@ public:
             upload(rows, level.rows);
             level.setSize(rows);
         }
-        const String options = format("-D EXACT -D PARENT=%s -D CELLS=1", typeOf(table.depth));
-        const UMat votes = votesOf(edges);
-        if (!edges.isOriented())
-        {
-            Launch(CASCADE_PROGRAM, "exactVotes", options)
-                .with(ocl::KernelArg::ReadOnly(votes), in(level.rows), level.rowCount, frame.width,
-                      frame.height, out(table.device))
-                .run(level.longestRow, level.rowCount);
-            return;
-        }
-        edges.directions.copyTo(directions_);
-        Launch(CASCADE_PROGRAM, "exactVotes", options + orientedOptions())
-            .with(ocl::KernelArg::ReadOnly(votes), ocl::KernelArg::ReadOnlyNoSize(directions_),
-                  in(level.rows), level.rowCount, frame.width, frame.height, out(table.device))
+        const Votes votes = votesOf(edges);
+        Launch launch(CASCADE_PROGRAM, "exactVotes",
+                      format("-D EXACT -D PARENT=%s -D CELLS=1", typeOf(table.depth)) +
+                          votes.options + votes.directionOptions());
+        votes.giveTo(launch);
+        votes.giveDirectionsTo(launch);
+        launch.with(in(level.rows), level.rowCount, frame.width, frame.height, out(table.device))
             .run(level.longestRow, level.rowCount);
     }
 
@@ -186,21 +201,13 @@ public:
         static_assert(sizeof(Chord) == 2 * sizeof(int), "an int2 of the device");
         upload(chords, chords_);
         allocateOn(sums_, votes.size() * sizeof(int));
-        const UMat map = votesOf(edges);
-        const String options = "-D EXACT -D PARENT=int -D CELLS=1";
-        if (!edges.isOriented())
-            Launch(CASCADE_PROGRAM, "rescore", options)
-                .with(ocl::KernelArg::ReadOnly(map), in(chords_), (int)chords.size(), frame.width,
-                      frame.height, out(sums_))
-                .run(chords.size(), 1);
-        else
-        {
-            edges.directions.copyTo(directions_);
-            Launch(CASCADE_PROGRAM, "rescore", options + orientedOptions())
-                .with(ocl::KernelArg::ReadOnly(map), ocl::KernelArg::ReadOnlyNoSize(directions_),
-                      in(chords_), (int)chords.size(), frame.width, frame.height, out(sums_))
-                .run(chords.size(), 1);
-        }
+        const Votes map = votesOf(edges);
+        Launch launch(CASCADE_PROGRAM, "rescore",
+                      "-D EXACT -D PARENT=int -D CELLS=1" + map.options + map.directionOptions());
+        map.giveTo(launch);
+        map.giveDirectionsTo(launch);
+        launch.with(in(chords_), (int)chords.size(), frame.width, frame.height, out(sums_))
+            .run(chords.size(), 1);
         download(sums_, votes.size() * sizeof(int), votes.data());
     }
 
@@ -232,7 +239,9 @@ public:
 private:
     enum
     {
-        MOST_TOGETHER = 16 //!< cells of a work item
+        MOST_TOGETHER = 16, //!< cells of a work item
+        BLOCK = 16,         //!< chords a side of a pool
+        LEAST_PRUNED = 1000 //!< chords of a table for which pools are worth their launch
     };
 
     //! What the device needs to know of a level of the plan.
@@ -256,23 +265,55 @@ private:
     //! Consecutive chords that a work item merges.
     static int chordsPerItem() { return isProcessor() ? 64 : 1; }
 
-    //! What votes, on the device: as EdgeMap::votes.
-    UMat votesOf(const EdgeMap& edges)
+    //! What votes: arguments of kernels, and what they are compiled for.
+    struct Votes
     {
+        UMat image, mask, directions;
+        String options; //!< of image and mask
+
+        void giveTo(Launch& launch) const
+        {
+            launch.with(ocl::KernelArg::ReadOnly(image));
+            if (!mask.empty())
+                launch.with(ocl::KernelArg::ReadOnlyNoSize(mask));
+        }
+        void giveDirectionsTo(Launch& launch) const
+        {
+            if (!directions.empty())
+                launch.with(ocl::KernelArg::ReadOnlyNoSize(directions));
+        }
+        String directionOptions() const
+        {
+            if (directions.empty())
+                return String();
+            String result = format(" -D ORIENTED -D BINS=%d -D END_COSINES=", DIRECTION_BINS);
+            for (int bin = 0; bin < DIRECTION_BINS; ++bin)
+                result += format(bin > 0 ? ",%d" : "%d", endCosine(bin));
+            return result;
+        }
+    };
+
+    Votes votesOf(const EdgeMap& edges)
+    {
+        Votes votes;
+        if (edges.isOriented())
+        {
+            edges.directions.copyTo(directions_);
+            votes.directions = directions_;
+        }
         if (edges.source.empty())
         {
             edges.votes.copyTo(votes_);
-            return votes_;
-        }
-        if (!edges.weighted)
-            cv::min(edges.source, Scalar(1), votes_);
-        const UMat votes = edges.weighted ? edges.source : votes_;
-        if (edges.sourceMask.empty())
+            votes.image = votes_;
             return votes;
-        masked_.create(votes.size(), CV_8UC1);
-        masked_.setTo(0);
-        votes.copyTo(masked_, edges.sourceMask);
-        return masked_;
+        }
+        votes.image = edges.source;
+        votes.mask = edges.sourceMask;
+        if (!edges.weighted)
+            votes.options += " -D BINARY";
+        if (!votes.mask.empty())
+            votes.options += " -D MASKED";
+        return votes;
     }
 
     /** Forgets what is known of another plan. Each thread has a queue of its own: what another one
@@ -349,22 +390,15 @@ private:
         level.setSize(rows);
     }
 
-    static String orientedOptions()
-    {
-        String options = format(" -D ORIENTED -D BINS=%d -D END_COSINES=", DIRECTION_BINS);
-        for (int bin = 0; bin < DIRECTION_BINS; ++bin)
-            options += format(bin > 0 ? ",%d" : "%d", endCosine(bin));
-        return options;
-    }
-
     void* context_;
     ocl::Queue queue_; //!< of the thread that worked last
     Vec<int, 5> plan_; //!< what tells plans apart
     bool knowsCells_;
     std::vector<LevelTables> levels_;
     UMat corners_, pixels_, starts_, bins_; //!< of cells and chords of level 0
-    UMat votes_, masked_, directions_;      //!< the edge map
+    UMat votes_, directions_;               //!< the edge map, where it was on the host
     UMat gathered_, gatheredDirections_;
+    UMat pools_;
     UMat chords_, sums_; //!< of rescore
     DeviceMaxima maxima_;
 };

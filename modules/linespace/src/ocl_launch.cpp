@@ -65,7 +65,8 @@ void download(const UMat& memory, size_t bytes, void* to)
     memory.colRange(0, (int)bytes).copyTo(result);
 }
 
-Launch::Launch(DeviceProgram program, const char* name, const String& options) : name_(name)
+Launch::Launch(DeviceProgram program, const char* name, const String& options)
+    : name_(name), next_(0)
 {
     String errors;
     const ocl::Program built =

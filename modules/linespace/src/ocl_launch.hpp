@@ -64,12 +64,14 @@ public:
 
     Launch(DeviceProgram program, const char* name, const String& options);
 
-    template<class... Arguments>
-    Launch& with(const Arguments&... arguments)
+    //! The next arguments of the kernel.
+    template<class Argument, class... Arguments>
+    Launch& with(const Argument& argument, const Arguments&... others)
     {
-        kernel_.args(arguments...);
-        return *this;
+        next_ = kernel_.set(next_, argument);
+        return with(others...);
     }
+    Launch& with() { return *this; }
 
     /** Queues it, without waiting.
     @param alongRows whether the work items of a group follow one another in the second dimension.
@@ -79,6 +81,7 @@ public:
 private:
     const char* name_;
     ocl::Kernel kernel_;
+    int next_; //!< argument
 };
 
 /** Whether the device is a processor: a work item takes a run of consecutive chords there, does what

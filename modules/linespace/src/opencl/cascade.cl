@@ -20,12 +20,35 @@ boundary. (vloadn and vstoren, which ask for less, are single bytes on some devi
 #define CELLS_AT(type, from) (*(__global VECTOR(type)*)(from))
 #define CONST_CELLS_AT(type, from) (*(__global const VECTOR(type)*)(from))
 
+/* The image: votes, or with BINARY what votes if it is not 0; with MASKED, where the mask is not 0. */
+#ifdef MASKED
+#define MASK_PARAMETERS , __global const uchar *mask, int maskStep, int maskOffset
+#define MASK_ARGUMENTS , mask, maskStep, maskOffset
+#else
+#define MASK_PARAMETERS
+#define MASK_ARGUMENTS
+#endif
+
+inline uchar votesAt(__global const uchar* image, int step, int offset MASK_PARAMETERS, int x, int y)
+{
+    const uchar votes = image[offset + y * step + x];
+#ifdef MASKED
+    if (!mask[maskOffset + y * maskStep + x])
+        return 0;
+#endif
+#ifdef BINARY
+    return votes != 0;
+#else
+    return votes;
+#endif
+}
+
 #ifdef FIRST_CELLS
 
 /* Votes of the pixels of cells, side by side: that of pixel y cellWidth + x of a cell stands at
 planes[pixel * cells + cell], 0 beyond the image. Global size: cells, pixels of a cell. */
-__kernel void gatherPixels(__global const uchar* image, int step, int offset, int rows, int columns,
-                           __global const int* corners, int cells, int pixels, int cellWidth,
+__kernel void gatherPixels(__global const uchar* image, int step, int offset, int rows,
+                           int columns MASK_PARAMETERS, __global const int* corners, int cells, int pixels, int cellWidth,
                            __global uchar* planes)
 {
     const int cell = get_global_id(0), pixel = get_global_id(1);
@@ -34,7 +57,7 @@ __kernel void gatherPixels(__global const uchar* image, int step, int offset, in
     const int row = pixel / cellWidth;
     const int x = corners[2 * cell] + pixel - row * cellWidth, y = corners[2 * cell + 1] + row;
     planes[(size_t)pixel * cells + cell] =
-        x < columns && y < rows ? image[offset + y * step + x] : (uchar)0;
+        x < columns && y < rows ? votesAt(image, step, offset MASK_ARGUMENTS, x, y) : (uchar)0;
 }
 
 __kernel void gatherDirections(__global const uchar* image, int step, int offset, int rows,
@@ -99,14 +122,89 @@ typedef struct
 {
     int firstEnd, count, isCrossing, childS, chordS, strideS, chordE, strideE, stepE;
     int numerator, numeratorStep, denominator, denominatorStep;
+    int pointS, pointE;                         /* s and firstEnd on the borders of their children */
+    int sharedS, directionS, sharedE, directionE; /* point 0 of the shared side there, and to point 1 */
 } Segment;
 
-/* One level from the one below, RUN chords of a row at a time. Row s has the segments from
+#ifdef PRUNED
+/* The most votes of blocks of BLOCK x BLOCK chords (s, e) of each of two cells. Global size: blocks of
+the border, for e and for s. */
+__kernel void poolVotes(__global const CHILD* table, int width, int height, int blocks,
+                        __global int2* pools)
+{
+    const int blockE = get_global_id(0), blockS = get_global_id(1);
+    if (blockE >= blocks || blockS >= blocks)
+        return;
+    const Frame cell = {width, height};
+    const int points = 2 * (width + height), endE = min((blockE + 1) * BLOCK, points);
+    const int endS = min((blockS + 1) * BLOCK, points - height);
+    CONCAT(CHILD, 2) most = 0;
+    for (int s = blockS * BLOCK; s < endS; ++s)
+    {
+        const int firstPartner = sideOf(cell, s).y;
+        __global const CONCAT(CHILD, 2)* const row =
+            (__global const CONCAT(CHILD, 2)*)table + rowStart(cell, s);
+        for (int e = max(blockE * BLOCK, firstPartner); e < endE; ++e)
+            most = max(most, row[e - firstPartner]);
+    }
+    pools[blockS * blocks + blockE] = convert_int2(most);
+}
+
+/* At least the votes of the chords of a cell between points p .. q of one side and r .. t of another;
+INT_MAX if it takes too long. */
+inline int mostVotes(__global const int* pools, int blocks, int cell, int p, int q, int r, int t)
+{
+    const int4 range = (p < r ? (int4)(p, q, r, t) : (int4)(r, t, p, q)) / BLOCK;
+    if (range.y - range.x > 5 || range.w - range.z > 5)
+        return INT_MAX;
+    int most = 0;
+    for (int a = range.x; a <= range.y; ++a)
+        for (int b = range.z; b <= range.w; ++b)
+            most = max(most, pools[2 * (a * blocks + b) + cell]);
+    return most;
+}
+
+inline int crossingAt(__global const Segment* segment, int i)
+{
+    return quotient(segment->numerator + i * segment->numeratorStep,
+                    segment->denominator + i * segment->denominatorStep);
+}
+
+/* Whether none of the chords first .. first + count - 1 of a segment has more votes than the
+bound. */
+inline bool isWorthless(__global const int* pools, int blocks, __global const Segment* segment,
+                        int first, int count, int bound)
+{
+    const int s = segment->pointS, e = segment->pointE + first, lastE = e + count - 1;
+    if (!segment->isCrossing)
+        return mostVotes(pools, blocks, segment->childS, s, s, e, lastE) <= bound;
+    const int m = crossingAt(segment, first), n = crossingAt(segment, first + count - 1);
+    const int onS = segment->sharedS + segment->directionS * m;
+    const int endOnS = segment->sharedS + segment->directionS * n;
+    const int most =
+        mostVotes(pools, blocks, segment->childS, s, s, min(onS, endOnS), max(onS, endOnS));
+    if (most > bound)
+        return false;
+    const int onE = segment->sharedE + segment->directionE * m;
+    const int endOnE = segment->sharedE + segment->directionE * n;
+    const int rest = mostVotes(pools, blocks, 1 - segment->childS, e, lastE, min(onE, endOnE),
+                               max(onE, endOnE));
+    return rest <= bound - most;
+}
+#endif
+
+/* One level from the one below, RUN chords of a row at a time. PRUNED: to one cell; chords that the
+pools of the children tell not to have more votes than `worthless` may get 0. Row s has the segments from
 segments[MAX_SEGMENTS * s] on; its first chord is rows[s].x, their number rows[s].y, that of its
 segments rows[s].z, its first end rows[s].w. Global size: runs of the longest row, rows. */
 __kernel void mergeCells(__global const Segment* segments, __global const int4* rows, int rowCount,
                          int cells, __global const CHILD* restrict child,
-                         __global PARENT* restrict parent)
+                         __global PARENT* restrict parent
+#ifdef PRUNED
+                         ,
+                         __global const int* pools, int blocks, int worthless
+#endif
+)
 {
     const int s = get_global_id(1);
     if (s >= rowCount)
@@ -118,11 +216,28 @@ __kernel void mergeCells(__global const Segment* segments, __global const int4* 
     for (int k = 1; k < row.z && begin >= segment[1].firstEnd; ++k)
         ++segment;
     __global PARENT* out = parent + (size_t)(row.x + begin - row.w) * CELL_COUNT;
-    for (int e = begin; e < end; ++segment)
+    for (int e = begin; e < end; segment += e >= segment->firstEnd + segment->count)
     {
-        const int first = e - segment->firstEnd, count = min(end - e, segment->count - first);
+        const int first = e - segment->firstEnd;
+        int count = min(end - e, segment->count - first);
         const int childS = segment->childS;
+#ifdef PRUNED
+        bool skips = isWorthless(pools, blocks, segment, first, count, worthless);
+        if (!skips && count > BLOCK)
+        {
+            count = BLOCK;
+            skips = isWorthless(pools, blocks, segment, first, count, worthless);
+        }
         e += count;
+        if (skips)
+        {
+            for (int i = 0; i < count; ++i, out += CELL_COUNT)
+                *out = 0;
+            continue;
+        }
+#else
+        e += count;
+#endif
         if (!segment->isCrossing)
         {
             __global const CHILD* own =
@@ -183,7 +298,8 @@ inline int directionBin(int2 direction)
 /* The votes of chord (s, e) of a frame: those of the pixels of its raster, as struct Raster in
 plan.hpp; of an oriented map, of those that vote for the chord's bin. */
 inline int votesOfChord(int width, int height, int s, int e, __global const uchar* image, int step,
-                        int offset, int rows, int columns DIRECTIONS_PARAMETERS)
+                        int offset, int rows,
+                        int columns MASK_PARAMETERS DIRECTIONS_PARAMETERS)
 {
     const int2 p = borderPoint(width, height, s), q = borderPoint(width, height, e);
 #ifdef ORIENTED
@@ -196,7 +312,7 @@ inline int votesOfChord(int width, int height, int s, int e, __global const ucha
         const int x = raster.xMajor ? major : minor, y = raster.xMajor ? minor : major;
         if (x < columns && y < rows)
         {
-            const int votes = image[offset + y * step + x];
+            const int votes = votesAt(image, step, offset MASK_ARGUMENTS, x, y);
 #ifdef ORIENTED
             if (*(__global const ushort*)(directions + directionOffset + y * directionStep +
                                           x * (int)sizeof(ushort)) &
@@ -214,7 +330,8 @@ inline int votesOfChord(int width, int height, int s, int e, __global const ucha
 
 /* METHOD_EXACT: rows as those of mergeCells. Global size: most chords of a row, rows. */
 __kernel void exactVotes(__global const uchar* image, int step, int offset, int rows,
-                         int columns DIRECTIONS_PARAMETERS, __global const int4* borderRows,
+                         int columns MASK_PARAMETERS DIRECTIONS_PARAMETERS,
+                         __global const int4* borderRows,
                          int rowCount, int width, int height, __global PARENT* table)
 {
     const int i = get_global_id(0), s = get_global_id(1);
@@ -223,18 +340,20 @@ __kernel void exactVotes(__global const uchar* image, int step, int offset, int 
     const int4 row = borderRows[s];
     if (i < row.y)
         table[row.x + i] = (PARENT)votesOfChord(width, height, s, row.w + i, image, step, offset,
-                                                rows, columns DIRECTIONS_ARGUMENTS);
+                                                rows,
+                                                columns MASK_ARGUMENTS DIRECTIONS_ARGUMENTS);
 }
 
 /* The same of a list of chords. Global size: chords. */
 __kernel void rescore(__global const uchar* image, int step, int offset, int rows,
-                      int columns DIRECTIONS_PARAMETERS, __global const int2* chords, int count,
+                      int columns MASK_PARAMETERS DIRECTIONS_PARAMETERS,
+                      __global const int2* chords, int count,
                       int width, int height, __global int* votes)
 {
     const int i = get_global_id(0);
     if (i < count)
         votes[i] = votesOfChord(width, height, chords[i].x, chords[i].y, image, step, offset, rows,
-                                columns DIRECTIONS_ARGUMENTS);
+                                columns MASK_ARGUMENTS DIRECTIONS_ARGUMENTS);
 }
 
 #endif // EXACT
