@@ -252,6 +252,50 @@ TEST_F(Linespace_OpenCl, random_sizes_and_densities)
     }
 }
 
+//! Nearly all chords have no votes, so that the last merge is passed over but for these.
+TEST_F(Linespace_OpenCl, lines_alone)
+{
+    RNG random(6);
+    for (int i = 0; i < 110; ++i)
+    {
+        Mat1b image(120 + i, 230 - i, uchar(0));
+        for (int k = 0; k < 6; ++k)
+        {
+            const Point begin(random.uniform(0, image.cols), random.uniform(0, image.rows));
+            const double angle = random.uniform(0., CV_PI);
+            const Point along(cvRound(500 * std::cos(angle)), cvRound(500 * std::sin(angle)));
+            cv::line(image, begin - along, begin + along, 255);
+        }
+        UMat imageOnDevice;
+        image.copyTo(imageOnDevice);
+        const Ptr<LineSpaceDetector> cpu = detectorFor(BACKEND_CPU);
+        const Ptr<LineSpaceDetector> automatic = detectorFor(BACKEND_AUTO);
+        for (const Ptr<LineSpaceDetector>& detector : {cpu, automatic})
+        {
+            detector->setCandidateRatio(1);
+            detector->setSuppressionRadius(0);
+            detector->setSuppressionDistance(0);
+            detector->setRefine(REFINE_NONE);
+        }
+        // Once more so that only the strongest chords are asked for.
+        for (int threshold = 40, round = 0; round < 2; ++round)
+        {
+            Lines byCpu, byDevice;
+            cpu->setThreshold(threshold);
+            automatic->setThreshold(threshold);
+            cpu->detect(image, byCpu);
+            automatic->detect(imageOnDevice, byDevice);
+            ASSERT_EQ(byCpu, byDevice) << i << ", " << threshold;
+            ASSERT_TRUE(round > 0 || !byCpu.empty());
+            Mat table;
+            cpu->compute(image, table);
+            double most;
+            cv::minMaxLoc(table, nullptr, &most);
+            threshold = (int)most - 1;
+        }
+    }
+}
+
 //! Small pools of candidates, with ties at the last one, and cuts that a sample sets too high.
 TEST_F(Linespace_OpenCl, the_strongest_candidates)
 {
