@@ -19,6 +19,10 @@ PHOTOGRAPH = Path(os.environ["LINESPACE_SAMPLES_DATA"]) / "building.jpg"
 
 CALLS = 2  # of the program, of which the second one is warm
 CASCADE = ["gatherPixels", "firstCells", "mergeCells"]
+ROUNDS = 4
+PACKING = ["packColumns", "packRows"]
+ASCENT = PACKING + ["clearMarks", "climbOn"] + ROUNDS * ["wantNeighbours", "countWanted", "markCounted",
+                                                         "takeSteps"]
 SEARCH = ["resetSearch", "searchMaxima", "raiseCut", "checkCut", "chooseLeast", "countTiles",
           "scanTiles", "writeMaxima"]
 
@@ -92,16 +96,19 @@ class Launches(unittest.TestCase):
 
     def test_detect(self):
         # The search is queued a second time for a cut that is too high.
-        self.expect("detect", CASCADE + ["poolVotes"] + SEARCH + 2 * ["searchMaxima"],
+        self.expect("detect",
+                    CASCADE + ["poolVotes"] + SEARCH + 2 * ["searchMaxima"] + ASCENT,
                     self.accounts["detect"].levels() - 1)
 
     def test_candidates_that_are_counted_again(self):
-        self.expect("recount", CASCADE + SEARCH + 2 * ["searchMaxima"] + ["rescore"],
+        self.expect("recount",
+                    CASCADE + SEARCH + 2 * ["searchMaxima"] + PACKING +
+                    ["countCandidates"],
                     self.accounts["recount"].levels() - 1)
 
     def test_the_exact_method(self):
         self.expect("exact", ["exactVotes", "resetSearch", "searchMaxima", "chooseLeast",
-                              "countTiles", "scanTiles", "writeMaxima"])
+                              "countTiles", "scanTiles", "writeMaxima"] + PACKING)
 
     def test_the_drop_in(self):
         launches = self.accounts["houghlines"].launches
@@ -124,6 +131,7 @@ class Launches(unittest.TestCase):
         print("blocking reads of a warm call:", reads)
         self.assertEqual(reads["compute"], 0)
         self.assertLessEqual(reads["detect"], 2)
+        self.assertLessEqual(reads["recount"], 2)
         self.assertLessEqual(reads["exact"], 2)
         self.assertLessEqual(reads["houghlines"], 2)
 

@@ -13,11 +13,6 @@ namespace linespace {
 
 namespace {
 
-bool isSameChord(const Candidate& a, const Candidate& b)
-{
-    return a.s == b.s && a.e == b.e;
-}
-
 class Ascent
 {
 public:

@@ -7,6 +7,7 @@
 #ifndef OPENCV_LINESPACE_BAND_HPP
 #define OPENCV_LINESPACE_BAND_HPP
 
+#include "edge_bits.hpp"
 #include "edge_planes.hpp"
 #include "line_geometry.hpp"
 #include "vectors.hpp"
@@ -36,12 +37,16 @@ public:
     Support(const EdgePlanes& planes, int bin, bool xMajor)
         : plane_(planes.across(
               xMajor)[planes.isOriented() ? EdgePlanes::planeOf(bin) : EdgePlanes::VOTES]),
-          bits_(planes.isOriented() ? EdgePlanes::bitOf(bin) : 255)
+          bits_(planes.isOriented() ? EdgePlanes::bitOf(bin) : 255), edgeBits_(0), xMajor_(xMajor)
     {
     }
+    //! Of a map that is not oriented; the bits must outlive it.
+    Support(const EdgeBits& bits, bool xMajor) : bits_(0), edgeBits_(&bits), xMajor_(xMajor) {}
     //! Bit b is that of pixel k + b of column i.
     int at(int i, int k) const
     {
+        if (edgeBits_)
+            return edgeBits_->at(xMajor_, i, k);
         const uchar* const pixels = plane_.row(i) + k;
 #if LINESPACE_SIMD128
         return v_signmask((v_load(pixels) & v_setall_u8(bits_)) != v_setzero_u8());
@@ -56,6 +61,8 @@ public:
 private:
     EdgePlanes::Plane plane_;
     uchar bits_;
+    const EdgeBits* edgeBits_; //!< null: the plane
+    bool xMajor_;
 };
 
 /** The columns of an image that a line passes, or its rows if it is steeper than a diagonal: steps

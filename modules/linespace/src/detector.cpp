@@ -8,6 +8,7 @@
 #include "ascent.hpp"
 #include "backends.hpp"
 #include "bundles.hpp"
+#include "edge_bits.hpp"
 #include "gradients.hpp"
 #include "line_geometry.hpp"
 #include "parameters.hpp"
@@ -201,6 +202,7 @@ public:
         bundles_.clear();
         planes_.clear();
         left_.clear();
+        bits_.clear();
         squares_.clear();
         deviations_.clear();
         stageTimes_ = StageTimes();
@@ -218,12 +220,13 @@ private:
         withMemoryFor("edges", edges.size(),
                       [&]()
                       {
+                          const Input input = {edges, gradients};
                           EdgeMap map;
                           Counting counting;
-                          prepare(edges, gradients, -1, false, map, counting);
-                          readEdges(edges, gradients, map, counting.times);
+                          const MapUse use(*this, counting);
+                          prepare(input, -1, false, map, counting);
                           std::vector<Vec3f> found, deviations;
-                          findLines(edges.isUMat(), map, counting, found, deviations);
+                          findLines(input, map, counting, found, deviations);
                           writeVectors(found, lines);
                           deviations_.swap(deviations);
                           keep(counting);
@@ -315,6 +318,34 @@ private:
         StageTimes times;
     };
 
+    //! What a user gives.
+    struct Input
+    {
+        InputArray edges;
+        const Gradients& gradients;
+    };
+
+    //! As long as it lives executors may hold the user's arrays.
+    class MapUse
+    {
+    public:
+        MapUse(const LineSpaceDetectorImpl& detector, const Counting& counting)
+            : detector_(detector), counting_(counting)
+        {
+        }
+        ~MapUse()
+        {
+            if (counting_.executor)
+                counting_.executor->forgetMap();
+            if (detector_.executor_)
+                detector_.executor_->forgetMap();
+        }
+
+    private:
+        const LineSpaceDetectorImpl& detector_;
+        const Counting& counting_;
+    };
+
     //! What the detector tells of its last call from now on; nothing of the call can fail any more.
     void keep(const Counting& counting)
     {
@@ -328,12 +359,13 @@ private:
 
     /** Checks the input and makes the plan and what an edge map has on a device.
     @param level of which the votes are wanted; -1: of the last one. */
-    void prepare(InputArray input, const Gradients& gradients, int level, bool writesTable,
-                 EdgeMap& edges, Counting& counting)
+    void prepare(const Input& input, int level, bool writesTable, EdgeMap& edges,
+                 Counting& counting)
     {
         counting.times.restart();
-        checkImage(input, "edges");
-        const Size size = input.size();
+        checkImage(input.edges, "edges");
+        const Size size = input.edges.size();
+        const Gradients& gradients = input.gradients;
         if (!mask_.empty() && mask_.size() != size)
             CV_Error_(Error::StsUnmatchedSizes,
                       ("mask has %d x %d pixels: must have the %d x %d of edges", mask_.cols,
@@ -353,16 +385,19 @@ private:
                                 : selectionBytes(*plan, gradients.isOriented));
         counting.plan = plan;
         edges.weighted = parameters_.edgeWeights;
-        edges.source = onDevice(input);
+        edges.source = onDevice(input.edges);
         if (!edges.source.empty() && !mask_.empty() && maskOnDevice_.empty())
             mask_.copyTo(maskOnDevice_);
         edges.sourceMask = maskOnDevice_;
     }
 
-    //! Brings the edge map to the host.
-    void readEdges(InputArray input, const Gradients& gradients, EdgeMap& edges, StageTimes& times)
+    //! Brings the edge map to the host, if it is not there.
+    void readEdges(const Input& input, EdgeMap& edges, StageTimes& times)
     {
-        edges.votes = votingPixels(input.getMat());
+        if (!edges.votes.empty())
+            return;
+        const Gradients& gradients = input.gradients;
+        edges.votes = votingPixels(input.edges.getMat());
         if (gradients.isOriented)
         {
             gradients.findBits(edges.votes, parameters_.orientationTolerance, images_.estimated,
@@ -425,15 +460,17 @@ private:
                                                     typeToString(out.type()).c_str()));
         EdgeMap map;
         const Gradients none = {false, Mat(), Mat()};
+        const Input input = {edges, none};
         Counting counting;
-        prepare(edges, none, level, true, map, counting);
+        const MapUse use(*this, counting);
+        prepare(input, level, true, map, counting);
         const Plan& plan = *counting.plan;
         const int l = counting.level;
         runWith(edges.isUMat(), counting,
                 [&](Executor& executor)
                 {
                     if (map.source.empty() || !executor.takesUMats())
-                        readEdges(edges, none, map, counting.times);
+                        readEdges(input, map, counting.times);
                     countVotes(executor, map, plan, parameters_.method == METHOD_EXACT, l, tables_,
                                counting.times);
                     write(executor, plan, l, out);
@@ -471,47 +508,73 @@ private:
     {
         if (parameters_.threshold > 0)
             return moreVotesThan(parameters_.threshold);
-        const double pixels = mask_.empty() ? (double)edges.votes.total() : countNonZero(mask_);
+        const double pixels = mask_.empty() ? (double)plan.imageSize().area() : countNonZero(mask_);
         return significance(edges, pixels, plan, parameters_.falseAlarms);
     }
 
-    void findLines(bool isUMat, const EdgeMap& edges, Counting& counting, std::vector<Vec3f>& lines,
-                   std::vector<Vec3f>& deviations)
+    /** Whether lines can be found without the edge map on the host: the device counts all that is asked
+    for, and the refinement has the pixels as bits. */
+    bool staysOnDevice(const Input& input, const EdgeMap& edges, const Executor& executor) const
+    {
+        return !edges.source.empty() && executor.takesUMats() && !input.gradients.isOriented &&
+               parameters_.selection != SELECT_EXPLAIN &&
+               (parameters_.threshold > 0 || (mask_.empty() && !parameters_.edgeWeights));
+    }
+
+    //! Copies of the edge map for all that counts and refines on the host.
+    void readPlanes(const Input& input, EdgeMap& edges, Counting& counting)
+    {
+        readEdges(input, edges, counting.times);
+        planes_.reset(edges, counting.plan->frame());
+    }
+
+    void findLines(const Input& input, EdgeMap& edges, Counting& counting,
+                   std::vector<Vec3f>& lines, std::vector<Vec3f>& deviations)
     {
         const Plan& plan = *counting.plan;
         const AngleInterval angles = {parameters_.minTheta, parameters_.maxTheta};
-        Requirement requirement;
-        std::vector<Candidate> candidates;
-        runWith(isUMat, counting,
+        runWith(input.edges.isUMat(), counting,
                 [&](Executor& executor)
                 {
-                    requirement = requirementFor(edges, plan);
+                    const bool stays = staysOnDevice(input, edges, executor);
+                    if (!stays)
+                        readEdges(input, edges, counting.times);
+                    const Requirement requirement = requirementFor(edges, plan);
                     if (requirement.threshold == INT_MAX)
                         return;
                     counting.level = levelForLines(plan, executor);
                     countVotes(executor, edges, plan, parameters_.method == METHOD_EXACT,
                                counting.level, tables_, counting.times,
                                parameters_.pruning ? candidateThreshold(requirement) : -1);
-                    // A device is still counting.
-                    planes_.reset(edges, plan.frame());
-                    candidates = candidatesFor(executor, edges, requirement, angles, counting);
-                    if (parameters_.method == METHOD_EXACT) // whose table holds exact votes
-                        return;
-                    recount(edges, plan, executor, candidates);
-                    counting.times.end("ascent");
+                    if (!stays) // a device is still counting
+                        readPlanes(input, edges, counting);
+                    bool areCounted = parameters_.method == METHOD_EXACT;
+                    std::vector<Candidate> candidates =
+                        candidatesFor(executor, edges, requirement, angles, counting, areCounted);
+                    if (!areCounted)
+                    {
+                        if (stays)
+                            readPlanes(input, edges, counting);
+                        recount(edges, plan, executor, candidates);
+                        counting.times.end("ascent");
+                    }
+                    removeIf(candidates,
+                             [&](const Candidate& candidate)
+                             {
+                                 return !requirement.isMet(planes_, plan, candidate) ||
+                                        !isInInterval(plan.frame(), angles, candidate);
+                             });
+                    const bool hasBits = stays && parameters_.refine != REFINE_NONE;
+                    if (hasBits && !candidates.empty())
+                        executor.readBits(bits_);
+                    const std::vector<Selected> chosen =
+                        select(edges, plan, requirement, angles, candidates, hasBits);
+                    lines.clear();
+                    deviations.clear();
+                    for (size_t i = 0; i < chosen.size(); ++i)
+                        report(chosen[i], angles, lines, deviations);
+                    counting.times.end("selection");
                 });
-        if (requirement.threshold == INT_MAX)
-            return;
-        removeIf(candidates,
-                 [&](const Candidate& candidate)
-                 {
-                     return !requirement.isMet(planes_, plan, candidate) ||
-                            !isInInterval(plan.frame(), angles, candidate);
-                 });
-        const std::vector<Selected> chosen = select(edges, plan, requirement, angles, candidates);
-        for (size_t i = 0; i < chosen.size(); ++i)
-            report(chosen[i], angles, lines, deviations);
-        counting.times.end("selection");
     }
 
     //! Whether candidates are maxima among parallel chords, for the ascent, or by the suppression.
@@ -551,10 +614,12 @@ private:
         return cvFloor(candidateRatio() * requirement.threshold);
     }
 
-    //! The chords of the frame whose exact votes may meet the requirement.
+    //! The chords of the frame whose exact votes may meet the requirement. Sets areCounted if they have
+    //! been counted exactly, and have climbed.
     std::vector<Candidate> candidatesFor(Executor& executor, const EdgeMap& edges,
                                          const Requirement& requirement,
-                                         const AngleInterval& angles, Counting& counting)
+                                         const AngleInterval& angles, Counting& counting,
+                                         bool& areCounted)
     {
         const Plan& plan = *counting.plan;
         const double ratio = candidateRatio();
@@ -589,8 +654,15 @@ private:
         VoteTable& table = tables_.of(last);
         const int climbingRadius = candidatesClimb() ? -1 : radius;
         std::vector<Candidate> found;
-        if (parameters_.suppression != SUPPRESS_RING ||
-            !executor.findMaxima(edges, plan, table, wanted, climbingRadius, found))
+        const int ascent = parameters_.method == METHOD_EXACT ? -1 : ascentRadius();
+        if (parameters_.suppression == SUPPRESS_RING &&
+            executor.findMaxima(edges, plan, table, wanted, climbingRadius, ascent, found))
+        {
+            areCounted = true;
+            std::sort(found.begin(), found.end(), isStronger);
+            found.erase(std::unique(found.begin(), found.end(), isSameChord), found.end());
+        }
+        else
         {
             executor.fetch(table);
             found = candidatesClimb()
@@ -603,7 +675,7 @@ private:
 
     std::vector<Selected> select(const EdgeMap& edges, const Plan& plan,
                                  const Requirement& requirement, const AngleInterval& angles,
-                                 const std::vector<Candidate>& candidates)
+                                 const std::vector<Candidate>& candidates, bool hasBits)
     {
         SelectionRule rule;
         rule.requirement = requirement;
@@ -613,7 +685,7 @@ private:
                                              : std::numeric_limits<size_t>::max();
         rule.refine = [&](Chord chord)
         {
-            return refined(edges, plan.frame(), chord, angles);
+            return refined(edges, plan, chord, angles, hasBits);
         };
         if (rule.explain)
             planes_.copyTo(left_);
@@ -672,13 +744,16 @@ private:
     }
 
     //! The line to report for a chord: one that leaves the interval of angles stays as it was.
-    FittedLine refined(const EdgeMap& edges, const Cell& frame, Chord chord,
-                       const AngleInterval& angles) const
+    FittedLine refined(const EdgeMap& edges, const Plan& plan, Chord chord,
+                       const AngleInterval& angles, bool hasBits) const
     {
+        const Cell& frame = plan.frame();
         const FittedLine line = chordLine(frame, chord);
         if (parameters_.refine == REFINE_NONE)
             return line;
-        const FittedLine result = refineLine(edges, planes_, directionBin(frame, chord), line);
+        const FittedLine result =
+            hasBits ? refineLine(plan.imageSize(), bits_, line)
+                    : refineLine(edges, planes_, directionBin(frame, chord), line);
         Line inInterval = result.line;
         return angles.represent(inInterval) ? result : line;
     }
@@ -701,6 +776,7 @@ private:
     VoteTables tables_;
     BundleSearch bundles_;
     EdgePlanes planes_, left_; // left_: see selectLines
+    EdgeBits bits_;            // in their place, where the map stays on a device
     VoteSquares squares_;
     std::vector<Vec3f> deviations_; // of the lines of the last detect
     StageTimes stageTimes_;         // of the last call

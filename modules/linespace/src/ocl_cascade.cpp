@@ -9,6 +9,7 @@
 #ifdef HAVE_OPENCL
 
 #include "cell_chords.hpp"
+#include "ocl_ascent.hpp"
 #include "ocl_launch.hpp"
 #include "ocl_maxima.hpp"
 
@@ -83,6 +84,8 @@ public:
 
     bool takesUMats() const CV_OVERRIDE { return true; }
 
+    void forgetMap() CV_OVERRIDE { ascent_.reset(DevicePixels(), false, Cell()); }
+
     void clear() CV_OVERRIDE { *this = OpenClExecutor(); }
 
     void allocate(const Level& level, int depth, VoteTable& table) CV_OVERRIDE
@@ -100,7 +103,7 @@ public:
         const int pixels = level.cell.width * level.cell.height, cells = (int)table.cells;
         if (!knowsCells_)
             listCells(plan);
-        const Votes votes = votesOf(edges);
+        const DevicePixels votes = takePixels(edges, plan);
         allocateOn(gathered_, (size_t)pixels * cells);
         Launch gather(CASCADE_PROGRAM, "gatherPixels",
                       "-D FIRST_CELLS -D PARENT=uchar -D CELLS=1" + votes.options);
@@ -173,7 +176,7 @@ public:
             upload(rows, level.rows);
             level.setSize(rows);
         }
-        const Votes votes = votesOf(edges);
+        const DevicePixels votes = takePixels(edges, plan);
         Launch launch(CASCADE_PROGRAM, "exactVotes",
                       format("-D EXACT -D PARENT=%s -D CELLS=1", typeOf(table.depth)) +
                           votes.options + votes.directionOptions());
@@ -184,10 +187,18 @@ public:
     }
 
     bool findMaxima(const EdgeMap& edges, const Plan& plan, const VoteTable& table,
-                    const Wanted& wanted, int radius, std::vector<Candidate>& found) CV_OVERRIDE
+                    const Wanted& wanted, int radius, int ascentRadius,
+                    std::vector<Candidate>& found) CV_OVERRIDE
     {
-        return maxima_.find(edges, plan, table, wanted, radius, found);
+        const auto count = [&](const UMat& candidates, int room)
+        {
+            if (ascentRadius >= 0)
+                ascent_.count(ascentRadius, candidates, room);
+        };
+        return maxima_.find(edges, plan, table, wanted, radius, count, found);
     }
+
+    void readBits(EdgeBits& bits) CV_OVERRIDE { ascent_.readBits(bits); }
 
     void rescore(const EdgeMap& edges, const Plan& plan, const std::vector<Chord>& chords,
                  std::vector<int>& votes) CV_OVERRIDE
@@ -201,7 +212,7 @@ public:
         static_assert(sizeof(Chord) == 2 * sizeof(int), "an int2 of the device");
         upload(chords, chords_);
         allocateOn(sums_, votes.size() * sizeof(int));
-        const Votes map = votesOf(edges);
+        const DevicePixels map = votesOf(edges);
         Launch launch(CASCADE_PROGRAM, "rescore",
                       "-D EXACT -D PARENT=int -D CELLS=1" + map.options + map.directionOptions());
         map.giveTo(launch);
@@ -265,37 +276,17 @@ private:
     //! Consecutive chords that a work item merges.
     static int chordsPerItem() { return isProcessor() ? 64 : 1; }
 
-    //! What votes: arguments of kernels, and what they are compiled for.
-    struct Votes
+    //! The pixels of a map that is to be counted.
+    DevicePixels takePixels(const EdgeMap& edges, const Plan& plan)
     {
-        UMat image, mask, directions;
-        String options; //!< of image and mask
+        const DevicePixels pixels = votesOf(edges);
+        ascent_.reset(pixels, edges.weighted, plan.frame());
+        return pixels;
+    }
 
-        void giveTo(Launch& launch) const
-        {
-            launch.with(ocl::KernelArg::ReadOnly(image));
-            if (!mask.empty())
-                launch.with(ocl::KernelArg::ReadOnlyNoSize(mask));
-        }
-        void giveDirectionsTo(Launch& launch) const
-        {
-            if (!directions.empty())
-                launch.with(ocl::KernelArg::ReadOnlyNoSize(directions));
-        }
-        String directionOptions() const
-        {
-            if (directions.empty())
-                return String();
-            String result = format(" -D ORIENTED -D BINS=%d -D END_COSINES=", DIRECTION_BINS);
-            for (int bin = 0; bin < DIRECTION_BINS; ++bin)
-                result += format(bin > 0 ? ",%d" : "%d", endCosine(bin));
-            return result;
-        }
-    };
-
-    Votes votesOf(const EdgeMap& edges)
+    DevicePixels votesOf(const EdgeMap& edges)
     {
-        Votes votes;
+        DevicePixels votes;
         if (edges.isOriented())
         {
             edges.directions.copyTo(directions_);
@@ -401,6 +392,7 @@ private:
     UMat pools_;
     UMat chords_, sums_; //!< of rescore
     DeviceMaxima maxima_;
+    DeviceAscent ascent_;
 };
 
 } // namespace

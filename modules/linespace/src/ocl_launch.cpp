@@ -19,20 +19,32 @@ namespace {
 
 typedef ocl::internal::ProgramEntry Entry;
 
-ocl::ProgramSource joined(const Entry& first, const Entry& second)
+ocl::ProgramSource joined(const std::vector<Entry>& entries)
 {
-    return ocl::ProgramSource(second.module, second.name,
-                              String(first.programCode) + second.programCode,
-                              String(first.programHash) + second.programHash);
+    String code, hash;
+    for (size_t i = 0; i < entries.size(); ++i)
+    {
+        code += entries[i].programCode;
+        hash += entries[i].programHash;
+    }
+    return ocl::ProgramSource(entries.back().module, entries.back().name, code, hash);
 }
 
 const ocl::ProgramSource& sourceOf(DeviceProgram program)
 {
     using namespace ocl::linespace;
-    static const ocl::ProgramSource cascade = joined(chords_oclsrc, cascade_oclsrc),
-                                    maxima = joined(chords_oclsrc, maxima_oclsrc),
-                                    table = joined(chords_oclsrc, table_oclsrc);
-    return program == CASCADE_PROGRAM ? cascade : program == MAXIMA_PROGRAM ? maxima : table;
+    static const ocl::ProgramSource ascent = joined({chords_oclsrc, pixels_oclsrc, ascent_oclsrc}),
+                                    cascade =
+                                        joined({chords_oclsrc, pixels_oclsrc, cascade_oclsrc}),
+                                    maxima = joined({chords_oclsrc, maxima_oclsrc}),
+                                    table = joined({chords_oclsrc, table_oclsrc});
+    switch (program)
+    {
+    case ASCENT_PROGRAM: return ascent;
+    case CASCADE_PROGRAM: return cascade;
+    case MAXIMA_PROGRAM: return maxima;
+    default: return table;
+    }
 }
 
 } // namespace
@@ -83,6 +95,29 @@ void Launch::run(size_t width, size_t height, bool alongRows)
     size_t local[2] = {alongRows ? 1 : items, alongRows ? items : 1}, global[2] = {width, height};
     if (!kernel_.run(2, global, local, false))
         throw DeviceFailure(format("kernel %s is not launched", name_));
+}
+
+void DevicePixels::giveTo(Launch& launch) const
+{
+    launch.with(ocl::KernelArg::ReadOnly(image));
+    if (!mask.empty())
+        launch.with(ocl::KernelArg::ReadOnlyNoSize(mask));
+}
+
+void DevicePixels::giveDirectionsTo(Launch& launch) const
+{
+    if (!directions.empty())
+        launch.with(ocl::KernelArg::ReadOnlyNoSize(directions));
+}
+
+String DevicePixels::directionOptions() const
+{
+    if (directions.empty())
+        return String();
+    String result = format(" -D ORIENTED -D BINS=%d -D END_COSINES=", DIRECTION_BINS);
+    for (int bin = 0; bin < DIRECTION_BINS; ++bin)
+        result += format(bin > 0 ? ",%d" : "%d", endCosine(bin));
+    return result;
 }
 
 bool isProcessor()

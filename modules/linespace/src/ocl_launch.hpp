@@ -44,9 +44,10 @@ inline ocl::KernelArg inOut(const UMat& memory)
     return ocl::KernelArg::PtrReadWrite(memory);
 }
 
-//! The programs of opencl/, each after chords.cl, which all use.
+//! The programs of opencl/, each after chords.cl, which all use, some after pixels.cl as well.
 enum DeviceProgram
 {
+    ASCENT_PROGRAM,
     CASCADE_PROGRAM,
     MAXIMA_PROGRAM,
     TABLE_PROGRAM
@@ -82,6 +83,18 @@ private:
     const char* name_;
     ocl::Kernel kernel_;
     int next_; //!< argument
+};
+
+//! What votes, on the device: arguments of kernels, and what pixels.cl is compiled for.
+struct DevicePixels
+{
+    UMat image, mask, directions;
+    String options; //!< of image and mask
+
+    void giveTo(Launch& launch) const;
+    void giveDirectionsTo(Launch& launch) const;
+    //! For chords that have the votes of their bin.
+    String directionOptions() const;
 };
 
 /** Whether the device is a processor: a work item takes a run of consecutive chords there, does what

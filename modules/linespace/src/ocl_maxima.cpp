@@ -32,7 +32,9 @@ static_assert(sizeof(Candidate) == THREE, "votes, s and e, as the device writes 
 } // namespace
 
 bool DeviceMaxima::find(const EdgeMap& edges, const Plan& plan, const VoteTable& table,
-                        const Wanted& wanted, int radius, std::vector<Candidate>& found)
+                        const Wanted& wanted, int radius,
+                        const std::function<void(const UMat&, int)>& count,
+                        std::vector<Candidate>& found)
 {
     if (wanted.accepts && !wanted.leastVotesDecide)
         return false;
@@ -107,16 +109,17 @@ bool DeviceMaxima::find(const EdgeMap& edges, const Plan& plan, const VoteTable&
             .with(in(table.device), frame.width, frame.height, in(masks_), runs, in(numbers_),
                   in(counts_), tiles, out(maxima_), room)
             .run(tiles, 1);
+        count(maxima_, room);
         found.resize(1 + (size_t)room);
         download(maxima_, found.size() * THREE, found.data());
-        const int count = found.front().votes;
-        if (count > room)
+        const int there = found.front().votes;
+        if (there > room)
         {
-            room_ = count;
+            room_ = there;
             continue;
         }
         found.erase(found.begin());
-        found.resize(count);
+        found.resize(there);
         return true;
     }
 }

@@ -19,10 +19,12 @@ public:
     DeviceMaxima() : room_(1 << 12) {}
 
     /** As Executor::findMaxima; finds them in the order (s, e).
+    @param count what is to be done with them on the device, with so many at most.
     @return false if it is asked for those that the requirement of several directions or an interval
     of angles leaves. */
     bool find(const EdgeMap& edges, const Plan& plan, const VoteTable& table, const Wanted& wanted,
-              int radius, std::vector<Candidate>& found);
+              int radius, const std::function<void(const UMat&, int)>& count,
+              std::vector<Candidate>& found);
 
 private:
     UMat histogram_, numbers_, leastVotes_;

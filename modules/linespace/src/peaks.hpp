@@ -25,6 +25,11 @@ struct Candidate
     }
 };
 
+inline bool isSameChord(const Candidate& a, const Candidate& b)
+{
+    return a.s == b.s && a.e == b.e;
+}
+
 //! The total order: votes descending, then s, then e ascending.
 inline bool isStronger(const Candidate& a, const Candidate& b)
 {

@@ -49,12 +49,9 @@ Few change from a line to the next. */
 class Supporters
 {
 public:
-    /** Those that carry the bin's bit within a distance of the line, in the order of its columns. */
-    Supporters(double reach, const EdgePlanes& planes, int bin, const Line& line, Size image)
-        : count_(0)
+    //! Those within a distance of the line, in the order of its columns.
+    Supporters(double reach, const Support& support, const Columns& columns) : count_(0)
     {
-        const Columns columns(image, line);
-        const Support support(planes, bin, columns.xMajor);
         std::vector<double>&along = columns.xMajor ? x_ : y_, &across = columns.xMajor ? y_ : x_;
         columns.forEachWithin(reach, support,
                               [&](int i, int k, int mask)
@@ -203,12 +200,11 @@ bool covarianceOf(Size image, const Supporters& supporters, const Line& line,
 }
 
 /** Total least squares on edge pixels; keeps the line's covariance where they say nothing of it. */
-bool fitEdgePixels(const EdgePlanes& planes, Size image, int bin, const FittedLine& line,
-                   FittedLine& fitted)
+bool fitEdgePixels(const Support& support, Size image, const FittedLine& line, FittedLine& fitted)
 {
     CV_DbgAssert(std::max(image.width, image.height) <= 1 << 20); // see Moments
     // Also those of a line that moves by up to TOO_FAR at its ends.
-    Supporters supporters(SUPPORT_DISTANCE + TOO_FAR, planes, bin, line.line, image);
+    Supporters supporters(SUPPORT_DISTANCE + TOO_FAR, support, Columns(image, line.line));
     fitted = line;
     Moments last = {0, 0, 0, 0, 0, 0};
     for (int i = 0; i < MAX_FITS; ++i)
@@ -278,25 +274,47 @@ FittedLine chordLine(const Cell& frame, Chord chord)
     return result;
 }
 
+namespace {
+
+//! Whether the chord's line passes the image; where.
+bool isVisible(Size image, const FittedLine& chord, Ends& ends)
+{
+    return clipLine(std::cos(chord.line.theta), std::sin(chord.line.theta), chord.line.rho, image,
+                    ends);
+}
+
+} // namespace
+
 FittedLine refineLine(const EdgeMap& edges, const EdgePlanes& planes, int bin,
                       const FittedLine& chord)
 {
     Ends ends;
     const Size image = edges.votes.size();
-    if (!clipLine(std::cos(chord.line.theta), std::sin(chord.line.theta), chord.line.rho, image,
-                  ends))
+    if (!isVisible(image, chord, ends))
         return chord;
     FittedLine best = chord, fitted;
-    if (fitEdgePixels(planes, image, bin, best, fitted))
+    if (fitEdgePixels(Support(planes, bin, Columns(image, chord.line).xMajor), image, best, fitted))
         takeWithinReach(ends, fitted, best);
     if (!edges.dx.empty() && fitGradients(edges, planes, bin, best, fitted))
         takeWithinReach(ends, fitted, best);
     return best;
 }
 
+FittedLine refineLine(Size image, const EdgeBits& bits, const FittedLine& chord)
+{
+    Ends ends;
+    if (!isVisible(image, chord, ends))
+        return chord;
+    FittedLine best = chord, fitted;
+    if (fitEdgePixels(Support(bits, Columns(image, chord.line).xMajor), image, best, fitted))
+        takeWithinReach(ends, fitted, best);
+    return best;
+}
+
 std::vector<Point> explainedPixels(const EdgePlanes& planes, Size image, int bin, const Line& line)
 {
-    const Supporters explained(EXPLAINED_DISTANCE, planes, bin, line, image);
+    const Columns columns(image, line);
+    const Supporters explained(EXPLAINED_DISTANCE, Support(planes, bin, columns.xMajor), columns);
     std::vector<Point> result(explained.count());
     for (size_t j = 0; j < result.size(); ++j)
         result[j] = explained.pixel(j);

@@ -29,6 +29,11 @@ that is farther away is approached as far as that, one of more than two pixels i
 FittedLine refineLine(const EdgeMap& edges, const EdgePlanes& planes, int bin,
                       const FittedLine& line);
 
+class EdgeBits; // edge_bits.hpp
+
+//! The same of a map that is not oriented and has no gradients.
+FittedLine refineLine(Size image, const EdgeBits& bits, const FittedLine& line);
+
 //! The edge pixels that a line explains: those within two pixels of it that carry the bin's bit.
 std::vector<Point> explainedPixels(const EdgePlanes& planes, Size image, int bin, const Line& line);
 

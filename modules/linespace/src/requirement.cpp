@@ -19,7 +19,8 @@ namespace {
 std::vector<int> votersOf(const EdgeMap& edges)
 {
     if (!edges.isOriented() || edges.isEstimated)
-        return std::vector<int>(1, countNonZero(edges.votes));
+        return std::vector<int>(1, edges.votes.empty() ? countNonZero(edges.source)
+                                                       : countNonZero(edges.votes));
     std::vector<int> voters(DIRECTION_BINS, 0);
     for (int y = 0; y < edges.directions.rows; ++y)
     {
@@ -67,7 +68,7 @@ Requirement moreVotesThan(int threshold)
 Requirement significance(const EdgeMap& edges, double pixels, const Plan& plan, double falseAlarms)
 {
     Requirement requirement = moreVotesThan(INT_MAX);
-    const int longest = std::max(edges.votes.cols, edges.votes.rows);
+    const int longest = std::max(plan.imageSize().width, plan.imageSize().height);
     const double chords = (double)plan.frame().chordCount();
     const std::vector<int> voters = votersOf(edges);
     for (size_t bin = 0; bin < voters.size(); ++bin)

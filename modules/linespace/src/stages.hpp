@@ -93,6 +93,7 @@ struct EdgeMap
 
 struct Candidate; // peaks.hpp
 struct Wanted;
+class EdgeBits; // edge_bits.hpp
 
 //! A device cannot do what is asked for; the CPU path can.
 struct DeviceFailure
@@ -151,14 +152,20 @@ public:
     oriented map, of the pixels that vote for the chord's bin. */
     virtual void exactVotes(const EdgeMap& edges, const Plan& plan, VoteTable& table) = 0;
 
-    /** The local maxima of the frame's table, where the votes are.
+    /** The local maxima of the frame's table, where the votes are, of the map that was counted last.
     @param radius of findCandidates with SUPPRESS_RING, or -1: findParallelMaxima.
+    @param ascentRadius of climbToMaxima, which then has been done with them, but for the order and
+    those that came to the same maximum; 0: they do not climb but have their exact votes; -1: they have
+    those of the table.
     @return false if they are better found in table.buffer after fetch(). */
     virtual bool findMaxima(const EdgeMap&, const Plan&, const VoteTable& /*table*/, const Wanted&,
-                            int /*radius*/, std::vector<Candidate>& /*found*/)
+                            int /*radius*/, int /*ascentRadius*/, std::vector<Candidate>& /*found*/)
     {
         return false;
     }
+
+    //! Reads the edge pixels of the map that was counted last, if it takesUMats(), whatever their weights.
+    virtual void readBits(EdgeBits& /*bits*/) {}
 
     //! Writes a level's table as LineSpaceDetector::computeLevel does, to CV_32SC1 of that size.
     virtual void writeTable(const Plan&, int /*level*/, const VoteTable&, const UMat& /*out*/) {}
@@ -166,6 +173,9 @@ public:
     //! The same as exactVotes for some chords of the frame, one result each.
     virtual void rescore(const EdgeMap& edges, const Plan& plan, const std::vector<Chord>& chords,
                          std::vector<int>& votes) = 0;
+
+    //! Gives back what it holds of the map that was counted last: the user's arrays.
+    virtual void forgetMap() {}
 
     //! Frees what is kept between calls.
     virtual void clear() = 0;

@@ -20,29 +20,6 @@ boundary. (vloadn and vstoren, which ask for less, are single bytes on some devi
 #define CELLS_AT(type, from) (*(__global VECTOR(type)*)(from))
 #define CONST_CELLS_AT(type, from) (*(__global const VECTOR(type)*)(from))
 
-/* The image: votes, or with BINARY what votes if it is not 0; with MASKED, where the mask is not 0. */
-#ifdef MASKED
-#define MASK_PARAMETERS , __global const uchar *mask, int maskStep, int maskOffset
-#define MASK_ARGUMENTS , mask, maskStep, maskOffset
-#else
-#define MASK_PARAMETERS
-#define MASK_ARGUMENTS
-#endif
-
-inline uchar votesAt(__global const uchar* image, int step, int offset MASK_PARAMETERS, int x, int y)
-{
-    const uchar votes = image[offset + y * step + x];
-#ifdef MASKED
-    if (!mask[maskOffset + y * maskStep + x])
-        return 0;
-#endif
-#ifdef BINARY
-    return votes != 0;
-#else
-    return votes;
-#endif
-}
-
 #ifdef FIRST_CELLS
 
 /* Votes of the pixels of cells, side by side: that of pixel y cellWidth + x of a cell stands at
@@ -271,62 +248,6 @@ __kernel void mergeCells(__global const Segment* segments, __global const int4* 
 #endif // MERGE
 
 #ifdef EXACT
-
-#ifdef ORIENTED
-__constant int END_COSINE[] = {END_COSINES};
-
-/* The bin of the direction of a chord, as directionBin in orientation.cpp. */
-inline int directionBin(int2 direction)
-{
-    if (direction.y < 0 || (direction.y == 0 && direction.x < 0))
-        direction = -direction;
-    int bin = 0;
-    for (int span = BINS / 2; span > 0; span /= 2)
-        bin += span * ((long)END_COSINE[bin + span] * direction.y -
-                           (long)END_COSINE[abs(BINS / 2 - bin - span)] * direction.x >=
-                       0);
-    return bin;
-}
-#define DIRECTIONS_PARAMETERS                                                                      \
-    , __global const uchar *directions, int directionStep, int directionOffset
-#define DIRECTIONS_ARGUMENTS , directions, directionStep, directionOffset
-#else
-#define DIRECTIONS_PARAMETERS
-#define DIRECTIONS_ARGUMENTS
-#endif
-
-/* The votes of chord (s, e) of a frame: those of the pixels of its raster, as struct Raster in
-plan.hpp; of an oriented map, of those that vote for the chord's bin. */
-inline int votesOfChord(int width, int height, int s, int e, __global const uchar* image, int step,
-                        int offset, int rows,
-                        int columns MASK_PARAMETERS DIRECTIONS_PARAMETERS)
-{
-    const int2 p = borderPoint(width, height, s), q = borderPoint(width, height, e);
-#ifdef ORIENTED
-    const ushort bit = (ushort)(1 << directionBin(q - p));
-#endif
-    const Raster raster = rasterOf(p, q);
-    int minor = raster.minor, rest = raster.rest, sum = 0;
-    for (int major = raster.first; major < raster.first + raster.count; ++major)
-    {
-        const int x = raster.xMajor ? major : minor, y = raster.xMajor ? minor : major;
-        if (x < columns && y < rows)
-        {
-            const int votes = votesAt(image, step, offset MASK_ARGUMENTS, x, y);
-#ifdef ORIENTED
-            if (*(__global const ushort*)(directions + directionOffset + y * directionStep +
-                                          x * (int)sizeof(ushort)) &
-                bit)
-#endif
-                sum += votes;
-        }
-        rest += raster.step;
-        const int over = rest >= raster.modulus, under = rest < 0;
-        rest += (under - over) * raster.modulus;
-        minor += over - under;
-    }
-    return sum;
-}
 
 /* METHOD_EXACT: rows as those of mergeCells. Global size: most chords of a row, rows. */
 __kernel void exactVotes(__global const uchar* image, int step, int offset, int rows,

@@ -90,3 +90,15 @@ inline int rowStart(Frame frame, int s)
         return w * (w + 2 * h) + (s - w) * (w + h);
     return w * (w + 2 * h) + h * (w + h) + (s - w - h) * h;
 }
+
+/* The ends of chord i of the table. */
+inline int2 chordAt(Frame frame, int i)
+{
+    const int w = frame.width, h = frame.height;
+    const int right = w * (w + 2 * h), bottom = right + h * (w + h);
+    const int start = i < right ? 0 : i < bottom ? right : bottom;
+    const int first = i < right ? 0 : i < bottom ? w : w + h;
+    const int length = i < right ? w + 2 * h : i < bottom ? w + h : h;
+    const int row = (i - start) / length;
+    return (int2)(first + row, sideOf(frame, first).y + i - start - row * length);
+}

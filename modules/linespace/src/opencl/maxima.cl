@@ -42,18 +42,6 @@ __kernel void resetSearch(__global int* histogram, int bins, int cut, __global i
     }
 }
 
-/* The ends of chord i of the table. */
-inline int2 chordAt(Frame frame, int i)
-{
-    const int w = frame.width, h = frame.height;
-    const int right = w * (w + 2 * h), bottom = right + h * (w + h);
-    const int start = i < right ? 0 : i < bottom ? right : bottom;
-    const int first = i < right ? 0 : i < bottom ? w : w + h;
-    const int length = i < right ? w + 2 * h : i < bottom ? w + h : h;
-    const int row = (i - start) / length;
-    return (int2)(first + row, sideOf(frame, first).y + i - start - row * length);
-}
-
 /* Whether the chord of two points, which may be beyond the ring's ends, comes before chord i of
 `votes` votes in the total order. */
 inline bool isStrongerAt(Frame frame, __global const VOTES* table, int p, int q, int i, int votes)
