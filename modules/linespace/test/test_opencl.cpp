@@ -252,6 +252,67 @@ TEST_F(Linespace_OpenCl, random_sizes_and_densities)
     }
 }
 
+/** All small sizes and some odd and large ones, twice, some of them ten times: each output of the device
+is the CPU path's, plain, weighted, masked, oriented, and of the drop-in. */
+TEST_F(Linespace_OpenCl, every_output)
+{
+    std::vector<Size> sizes;
+    for (int width = 1; width <= 20; ++width)
+        for (int height = 1; height <= 20; ++height)
+            sizes.push_back(Size(width, height));
+    for (const Size& size :
+         {Size(1, 301), Size(257, 2), Size(97, 101), Size(255, 257), Size(640, 480)})
+        sizes.push_back(size);
+    for (size_t i = 0; i < sizes.size(); ++i)
+    {
+        const Mat1b image = randomEdges(sizes[i], 0.3, (unsigned)i) * 200,
+                    mask = randomEdges(sizes[i], 0.8, (unsigned)i + 500);
+        Mat dx, dy;
+        cv::Sobel(image, dx, CV_16S, 1, 0);
+        cv::Sobel(image, dy, CV_16S, 0, 1);
+        UMat imageOnDevice, dxOnDevice, dyOnDevice;
+        image.copyTo(imageOnDevice);
+        dx.copyTo(dxOnDevice);
+        dy.copyTo(dyOnDevice);
+        const bool isWeighted = i % 2, isMasked = i % 3 == 0;
+        const auto detectorWith = [&](int backend)
+        {
+            const Ptr<LineSpaceDetector> detector = detectorFor(backend);
+            detector->setEdgeWeights(isWeighted);
+            detector->setThreshold(std::max(1, sizes[i].width / 3 * (isWeighted ? 200 : 1)));
+            if (isMasked)
+                detector->setMask(mask);
+            return detector;
+        };
+        const Ptr<LineSpaceDetector> cpu = detectorWith(BACKEND_CPU),
+                                     automatic = detectorWith(BACKEND_AUTO);
+        Lines byCpu, oriented, dropIn;
+        Mat table;
+        cpu->detect(image, byCpu);
+        cpu->detect(image, dx, dy, oriented);
+        cpu->compute(image, table);
+        cv::linespace::HoughLines(image, dropIn, 1, CV_PI / 90, sizes[i].width / 3);
+        for (int round = 0; round < (i % 7 ? 2 : 10); ++round)
+        {
+            Lines lines;
+            automatic->detect(imageOnDevice, lines);
+            ASSERT_EQ(byCpu, lines) << sizes[i] << ", " << round;
+            automatic->detect(imageOnDevice, dxOnDevice, dyOnDevice, lines);
+            ASSERT_EQ(oriented, lines) << sizes[i] << ", " << round;
+            cv::linespace::HoughLines(imageOnDevice, lines, 1, CV_PI / 90, sizes[i].width / 3);
+            ASSERT_EQ(dropIn, lines) << sizes[i] << ", " << round;
+            UMat onDeviceTable;
+            automatic->compute(imageOnDevice, onDeviceTable);
+            ASSERT_EQ(0, cvtest::norm(table, onDeviceTable.getMat(ACCESS_READ), NORM_INF))
+                << sizes[i] << ", " << round;
+        }
+        if (hasDevice())
+        {
+            ASSERT_EQ(BACKEND_OPENCL, automatic->getActiveBackend());
+        }
+    }
+}
+
 //! Nearly all chords have no votes, so that the last merge is passed over but for these.
 TEST_F(Linespace_OpenCl, lines_alone)
 {
