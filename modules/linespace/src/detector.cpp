@@ -656,9 +656,9 @@ private:
         std::vector<Candidate> found;
         const int ascent = parameters_.method == METHOD_EXACT ? -1 : ascentRadius();
         if (parameters_.suppression == SUPPRESS_RING &&
-            executor.findMaxima(edges, plan, table, wanted, climbingRadius, ascent, found))
+            executor.findMaxima(edges, plan, table, wanted, climbingRadius, ascent, found,
+                                areCounted))
         {
-            areCounted = true;
             std::sort(found.begin(), found.end(), isStronger);
             found.erase(std::unique(found.begin(), found.end(), isSameChord), found.end());
         }

@@ -188,12 +188,14 @@ public:
 
     bool findMaxima(const EdgeMap& edges, const Plan& plan, const VoteTable& table,
                     const Wanted& wanted, int radius, int ascentRadius,
-                    std::vector<Candidate>& found) CV_OVERRIDE
+                    std::vector<Candidate>& found, bool& areCounted) CV_OVERRIDE
     {
         const auto count = [&](const UMat& candidates, int room)
         {
-            if (ascentRadius >= 0)
-                ascent_.count(ascentRadius, candidates, room);
+            if (ascentRadius < 0)
+                return;
+            ascent_.count(ascentRadius, candidates, room);
+            areCounted = true;
         };
         return maxima_.find(edges, plan, table, wanted, radius, count, found);
     }

@@ -154,12 +154,13 @@ public:
 
     /** The local maxima of the frame's table, where the votes are, of the map that was counted last.
     @param radius of findCandidates with SUPPRESS_RING, or -1: findParallelMaxima.
-    @param ascentRadius of climbToMaxima, which then has been done with them, but for the order and
-    those that came to the same maximum; 0: they do not climb but have their exact votes; -1: they have
-    those of the table.
+    @param ascentRadius of climbToMaxima, which may then be done with them, but for the order and for
+    those that came to the same maximum; 0: they may be counted exactly; -1: neither.
+    @param areCounted set if that was done.
     @return false if they are better found in table.buffer after fetch(). */
     virtual bool findMaxima(const EdgeMap&, const Plan&, const VoteTable& /*table*/, const Wanted&,
-                            int /*radius*/, int /*ascentRadius*/, std::vector<Candidate>& /*found*/)
+                            int /*radius*/, int /*ascentRadius*/,
+                            std::vector<Candidate>& /*found*/, bool& /*areCounted*/)
     {
         return false;
     }
