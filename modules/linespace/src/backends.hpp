@@ -27,6 +27,19 @@ Ptr<Executor> substituteFor(int backend, const DeviceFailure& failure);
 //! The array, where it is a UMat on OpenCV's device; else an empty one.
 UMat onDevice(InputArray array);
 
+//! The time in which an executor works.
+class WorkingTime
+{
+public:
+    explicit WorkingTime(Executor& executor) : executor_(executor) { executor_.begin(); }
+    ~WorkingTime() { executor_.end(); }
+
+private:
+    WorkingTime(const WorkingTime&);
+    WorkingTime& operator=(const WorkingTime&);
+    Executor& executor_;
+};
+
 /** Calls work(executor) with the executor of a back end, and once more with another one if a device
 fails that was not asked for by name. Returns the executor that did it. */
 template<class Work>
@@ -35,6 +48,7 @@ Ptr<Executor> runOn(int backend, bool isUMat, const Ptr<Executor>& kept, Work wo
     Ptr<Executor> executor = executorFor(backend, isUMat, kept);
     try
     {
+        const WorkingTime time(*executor);
         work(*executor);
     }
     catch (const DeviceFailure& failure)

@@ -23,6 +23,13 @@
 namespace cv {
 namespace linespace {
 
+//! Memory of a device of which OpenCV knows nothing.
+class DeviceMemory
+{
+public:
+    virtual ~DeviceMemory() {}
+};
+
 /** Votes of all chords of all cells of one level. The votes of chord i of the cell with index c
 (see Plan::cellOrder) stand at data[i * cells + c], as unsigned integers of `depth` bytes (1, 2 or
 4). */
@@ -32,6 +39,7 @@ struct VoteTable
     int depth;
     Buffer buffer;
     UMat device; //!< the same on a device: a row of bytes; what is in buffer, fetch() tells
+    Ptr<DeviceMemory> memory; //!< the same on another device, in an order of its own
 
     VoteTable() : chords(0), cells(0), depth(0) {}
 
@@ -114,6 +122,10 @@ public:
     //! Whether it still can run: a device may not be the one in use any more.
     virtual bool isUsable() const { return true; }
 
+    //! Around all the work of one call, in one thread; end() throws nothing.
+    virtual void begin() {}
+    virtual void end() {}
+
     //! Whether it works where the data of a UMat are: it reads EdgeMap::source, and writeTable() works.
     virtual bool takesUMats() const { return false; }
 
@@ -187,6 +199,7 @@ struct VoteTables
         {
             tables_[i].buffer.release();
             tables_[i].device.release();
+            tables_[i].memory.reset();
         }
     }
 

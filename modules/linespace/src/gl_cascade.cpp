@@ -1,0 +1,341 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// Tables are in the order of stages.hpp, [chord][cell], in words of 32 bits: the votes of consecutive
+// cells share a word, the first in its lowest bits, and a chord has at least one word, so that those
+// of the last table, of one cell, have one each.
+
+#include "gl_cascade.hpp"
+
+#ifdef LINESPACE_OPENGL
+
+#include "gl_maxima.hpp"
+
+#include <climits>
+#include <cstring>
+
+namespace cv {
+namespace linespace {
+
+namespace {
+
+int logOf(size_t powerOfTwo)
+{
+    int log = 0;
+    while (((size_t)1 << log) < powerOfTwo)
+        ++log;
+    return log;
+}
+
+//! Words of a chord's votes, or of a pixel's.
+size_t wordsOf(size_t cells, int bytes)
+{
+    return std::max<size_t>(1, cells * bytes / sizeof(uint));
+}
+
+size_t wordsOf(const VoteTable& table)
+{
+    return wordsOf(table.cells, table.depth);
+}
+
+size_t bytesOf(const VoteTable& table)
+{
+    return table.chords * wordsOf(table) * sizeof(uint);
+}
+
+const GlBuffer& bufferOf(const VoteTable& table)
+{
+    return static_cast<const GlBuffer&>(*table.memory);
+}
+
+class OpenGlExecutor : public Executor
+{
+public:
+    OpenGlExecutor() : device_(GlDevice::take()), hasCorners_(false) {}
+    ~OpenGlExecutor()
+    {
+        release();
+        GlDevice::giveBack(device_);
+    }
+
+    int backend() const CV_OVERRIDE { return BACKEND_OPENGL; }
+    bool isUsable() const CV_OVERRIDE { return device_->isForThisThread(); }
+    void begin() CV_OVERRIDE { device_->begin(); }
+    void end() CV_OVERRIDE { device_->end(); }
+    void clear() CV_OVERRIDE { release(); }
+
+    void allocate(const Level& level, int depth, VoteTable& table) CV_OVERRIDE
+    {
+        table.setShape(level, depth);
+        const Cell& cell = level.cell;
+        if (table.chords > INT_MAX || (double)table.chords * wordsOf(table) > UINT_MAX)
+            throw DeviceFailure("the frame has too many chords for 32-bit numbers");
+        // Products of crossings and rasters, here and below.
+        asShaderInt(4. * cell.width * cell.height + 4. * std::max(cell.width, cell.height));
+        if (!table.memory)
+            table.memory = makePtr<GlBuffer>();
+        device_->allocate(static_cast<GlBuffer&>(*table.memory), bytesOf(table));
+    }
+
+    void firstCells(const EdgeMap& edges, const Plan& plan, VoteTable& table) CV_OVERRIDE
+    {
+        prepare(plan);
+        bringEdges(edges);
+        if (!hasCorners_)
+            listCorners(plan);
+        const Level& level = plan.level(0);
+        const bool isOriented = edges.isOriented();
+        const size_t words = wordsOf(table.cells, 1),
+                     directionWords = wordsOf(table.cells, sizeof(ushort));
+        gather(plan, image_, words, std::string(), planes_);
+        if (isOriented)
+            gather(plan, directions_, directionWords, define("DIRECTIONS"), directionPlanes_);
+        if (table.depth > 2)
+            throw DeviceFailure("a cell has too many votes for 16-bit numbers");
+        const int lanes = logOf(std::min<size_t>(wordsOf(table), GlDevice::GROUP));
+        forEachPart(
+            table,
+            [&](int first, int count, size_t offset, size_t bytes)
+            {
+                GlLaunch launch(*device_, GL_FIRST_CELLS,
+                                define("PARENT_BITS", 8 * table.depth) +
+                                    (isOriented ? orientedOptions() : std::string()));
+                launch.block(planes_).block(bufferOf(table), offset, bytes);
+                if (isOriented)
+                    launch.block(directionPlanes_);
+                launch.runItems({first, count, level.cell.width, level.cell.height, lanes,
+                                 (int)wordsOf(table), (int)words, (int)directionWords},
+                                (size_t)count << lanes);
+            });
+    }
+
+    void mergeCells(const Plan& plan, int l, const VoteTable& child, VoteTable& parent,
+                    int /*worthless*/) CV_OVERRIDE
+    {
+        const Merge merge = plan.merge(l);
+        const size_t words = wordsOf(parent);
+        const int lanes = logOf(std::min<size_t>(words, GlDevice::GROUP));
+        // Of the child's votes that come to a word of the parent.
+        const int bits = 8 * child.depth *
+                         (int)std::min<size_t>(parent.cells, sizeof(uint) / parent.depth);
+        const uint mask = bits == 32 ? ~0u : (1u << bits) - 1;
+        const std::string options = windowOptions(device_->limits(), bytesOf(child)) +
+                                    define("CHILD_BITS", 8 * child.depth) +
+                                    define("PARENT_BITS", 8 * parent.depth);
+        forEachPart(parent,
+                    [&](int first, int count, size_t offset, size_t bytes)
+                    {
+                        GlLaunch(*device_, GL_MERGE, options)
+                            .windows(bufferOf(child), bytesOf(child))
+                            .block(bufferOf(parent), offset, bytes)
+                            .runItems({first, count, merge.child.width, merge.child.height,
+                                       merge.horizontal, lanes, logOf(parent.cells), (int)words,
+                                       (int)wordsOf(child), (int)mask},
+                                      (size_t)count << lanes);
+                    });
+    }
+
+    void exactVotes(const EdgeMap& edges, const Plan& plan, VoteTable& table) CV_OVERRIDE
+    {
+        prepare(plan);
+        bringEdges(edges);
+        forEachPart(table,
+                    [&](int first, int count, size_t offset, size_t bytes)
+                    {
+                        GlLaunch launch(*device_, GL_EXACT, exactOptions(edges));
+                        launch.block(image_).block(bufferOf(table), offset, bytes);
+                        countExactly(edges, plan, launch, first, count);
+                    });
+    }
+
+    bool findMaxima(const EdgeMap& edges, const Plan& plan, const VoteTable& table,
+                    const Wanted& wanted, int radius, std::vector<Candidate>& found) CV_OVERRIDE
+    {
+        return maxima_.find(*device_, edges, plan, bufferOf(table), wanted, radius, found);
+    }
+
+    void rescore(const EdgeMap& edges, const Plan& plan, const std::vector<Chord>& chords,
+                 std::vector<int>& votes) CV_OVERRIDE
+    {
+        votes.resize(chords.size());
+        if (chords.empty())
+            return;
+        static_assert(sizeof(Chord) == 2 * sizeof(int), "an ivec2 of the device");
+        device_->upload(chords, chords_);
+        device_->allocate(sums_, votes.size() * sizeof(int));
+        GlLaunch launch(*device_, GL_EXACT, exactOptions(edges) + define("LIST"));
+        launch.block(image_).block(sums_).block(chords_);
+        countExactly(edges, plan, launch, 0, (int)chords.size());
+        device_->finish();
+        device_->read(sums_, votes.size() * sizeof(int), votes.data());
+    }
+
+    void fetch(VoteTable& table) CV_OVERRIDE
+    {
+        table.buffer.allocate(table.bytes() + VoteTable::PADDING);
+        device_->finish();
+        const size_t used = table.cells * table.depth; // bytes of a chord
+        device_->readParts(bufferOf(table), bytesOf(table),
+                           [&](const void* part, size_t offset, size_t bytes)
+                           {
+                               uchar* const to = table.buffer.data();
+                               if (used >= sizeof(uint))
+                               {
+                                   std::memcpy(to + offset, part, bytes);
+                                   return;
+                               }
+                               const size_t first = offset / sizeof(uint);
+                               const uint* const words = (const uint*)part;
+                               for (size_t i = 0; i < bytes / sizeof(uint); ++i)
+                                   if (used == sizeof(ushort))
+                                       ((ushort*)to)[first + i] = (ushort)words[i];
+                                   else
+                                       to[first + i] = (uchar)words[i];
+                           });
+    }
+
+private:
+    void release()
+    {
+        GlBuffer* const buffers[] = {&corners_,         &image_,  &directions_, &planes_,
+                                     &directionPlanes_, &chords_, &sums_};
+        for (GlBuffer* buffer : buffers)
+            buffer->release();
+        maxima_.release();
+        hasCorners_ = false;
+    }
+
+    //! Calls launch(first chord, number, offset, bytes) for parts of a table that a block can hold.
+    template<class Launch>
+    void forEachPart(const VoteTable& table, Launch launch) const
+    {
+        const size_t bytes = wordsOf(table) * sizeof(uint);
+        size_t most = device_->limits().blockBytes / bytes;
+        // Parts begin where a block may begin.
+        const size_t together = std::max<size_t>(1, device_->limits().alignment / bytes);
+        most = most / together * together;
+        if (most == 0)
+            throw DeviceFailure("the votes of a chord are more than a storage block holds");
+        for (size_t first = 0; first < table.chords; first += most)
+        {
+            const size_t count = std::min(most, table.chords - first);
+            launch((int)first, (int)count, first * bytes, count * bytes);
+        }
+    }
+
+    //! Forgets what is known of another plan.
+    void prepare(const Plan& plan)
+    {
+        const Cell& cell = plan.level(0).cell;
+        const Vec<int, 5> key(plan.imageSize().width, plan.imageSize().height, cell.width,
+                              cell.height, plan.levelCount());
+        if (plan_ == key)
+            return;
+        plan_ = key;
+        hasCorners_ = false;
+    }
+
+    //! Of the cells of level 0 in the order of the table.
+    void listCorners(const Plan& plan)
+    {
+        const Level& level = plan.level(0);
+        std::vector<int> rowBits, columnBits;
+        plan.cellOrder(0, rowBits, columnBits);
+        std::vector<int> corners(2 * level.cellCount());
+        for (int row = 0; row < level.grid.height; ++row)
+            for (int column = 0; column < level.grid.width; ++column)
+            {
+                int* const corner = &corners[2 * (rowBits[row] + columnBits[column])];
+                corner[0] = column * level.cell.width;
+                corner[1] = row * level.cell.height;
+            }
+        device_->upload(corners, corners_);
+        hasCorners_ = true;
+    }
+
+    void bringEdges(const EdgeMap& edges)
+    {
+        device_->upload(edges.votes.data, edges.votes.total(), image_);
+        if (!edges.isOriented())
+            return;
+        if (std::max(edges.votes.cols, edges.votes.rows) > SHRT_MAX)
+            throw DeviceFailure("the image is too large for the 32-bit products of directions");
+        device_->upload(edges.directions.data, edges.directions.total() * sizeof(ushort),
+                        directions_);
+    }
+
+    void gather(const Plan& plan, const GlBuffer& from, size_t words, const std::string& options,
+                GlBuffer& planes)
+    {
+        const Level& level = plan.level(0);
+        const size_t pixels = (size_t)level.cell.width * level.cell.height;
+        device_->allocate(planes, pixels * words * sizeof(uint));
+        GlLaunch(*device_, GL_PLANES, options)
+            .block(from)
+            .block(corners_)
+            .block(planes)
+            .runItems({plan.imageSize().width, plan.imageSize().height, level.cell.width,
+                       (int)pixels, (int)level.cellCount(), logOf(words)},
+                      pixels * words);
+    }
+
+    static std::string orientedOptions()
+    {
+        std::string cosines;
+        for (int bin = 0; bin < DIRECTION_BINS; ++bin)
+            cosines += format(bin > 0 ? ", %d" : "%d", endCosine(bin));
+        static_assert(DIRECTION_BINS == 16, "as in chords.glsl");
+        return define("ORIENTED") + "#define END_COSINES " + cosines + "\n";
+    }
+
+    static std::string exactOptions(const EdgeMap& edges)
+    {
+        return edges.isOriented() ? orientedOptions() : std::string();
+    }
+
+    //! After the blocks that all have.
+    void countExactly(const EdgeMap& edges, const Plan& plan, GlLaunch& launch, int first, int count)
+    {
+        if (edges.isOriented())
+            launch.blockAt(3, directions_);
+        const Cell& frame = plan.frame();
+        launch.runItems({first, count, frame.width, frame.height, plan.imageSize().width,
+                         plan.imageSize().height},
+                        count);
+    }
+
+    const Ptr<GlDevice> device_;
+    Vec<int, 5> plan_; //!< what tells plans apart
+    bool hasCorners_;
+    GlBuffer corners_;
+    GlBuffer image_, directions_; //!< the edge map
+    GlBuffer planes_, directionPlanes_;
+    GlBuffer chords_, sums_; //!< of rescore
+    GlMaxima maxima_;
+};
+
+} // namespace
+
+Ptr<Executor> createOpenGlExecutor()
+{
+    return makePtr<OpenGlExecutor>();
+}
+
+} // namespace linespace
+} // namespace cv
+
+#else
+
+namespace cv {
+namespace linespace {
+
+Ptr<Executor> createOpenGlExecutor()
+{
+    throw DeviceFailure("built without OpenGL");
+}
+
+} // namespace linespace
+} // namespace cv
+
+#endif
