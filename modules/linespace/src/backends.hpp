@@ -40,12 +40,11 @@ private:
     Executor& executor_;
 };
 
-/** Calls work(executor) with the executor of a back end, and once more with another one if a device
-fails that was not asked for by name. Returns the executor that did it. */
+/** Calls work(executor), and once more with another one if a device fails that was not asked for by
+name (which `backend` tells). Returns the executor that did it. */
 template<class Work>
-Ptr<Executor> runOn(int backend, bool isUMat, const Ptr<Executor>& kept, Work work)
+Ptr<Executor> runOn(int backend, Ptr<Executor> executor, Work work)
 {
-    Ptr<Executor> executor = executorFor(backend, isUMat, kept);
     try
     {
         const WorkingTime time(*executor);
@@ -57,6 +56,13 @@ Ptr<Executor> runOn(int backend, bool isUMat, const Ptr<Executor>& kept, Work wo
         work(*executor);
     }
     return executor;
+}
+
+//! The same with the executor of a back end.
+template<class Work>
+Ptr<Executor> runOn(int backend, bool isUMat, const Ptr<Executor>& kept, Work work)
+{
+    return runOn(backend, executorFor(backend, isUMat, kept), work);
 }
 
 } // namespace linespace

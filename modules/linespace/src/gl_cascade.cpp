@@ -171,6 +171,37 @@ public:
         device_->read(sums_, votes.size() * sizeof(int), votes.data());
     }
 
+    Size textureSize(unsigned int texture) CV_OVERRIDE
+    {
+        if (!device_->isCallers())
+            CV_Error_(Error::StsBadArg, ("texture = %u: no context of OpenGL is current", texture));
+        bool isInteger;
+        return device_->bindTexture(texture, isInteger);
+    }
+
+    void takeTexture(unsigned int texture, bool weighted, const Mat& mask,
+                     Mat& votes) CV_OVERRIDE
+    {
+        bool isInteger;
+        const Size size = device_->bindTexture(texture, isInteger);
+        const int pixels = asShaderInt((double)size.width * size.height + sizeof(uint));
+        device_->allocate(image_, pixels);
+        if (!mask.empty())
+            device_->upload(mask.data, mask.total(), mask_);
+        GlLaunch launch(*device_, GL_TEXTURE,
+                        (isInteger ? define("INTEGER") : std::string()) +
+                            (weighted ? std::string() : define("BINARY")) +
+                            (mask.empty() ? std::string() : define("MASKED")));
+        launch.block(image_);
+        if (!mask.empty())
+            launch.block(mask_);
+        launch.runItems({size.width, size.area()}, (size.area() + sizeof(uint) - 1) / sizeof(uint));
+        // Candidates climb on the host, and lines are refined there.
+        votes.create(size, CV_8UC1);
+        device_->finish();
+        device_->read(image_, size.area(), votes.data);
+    }
+
     void fetch(VoteTable& table) CV_OVERRIDE
     {
         table.buffer.allocate(table.bytes() + VoteTable::PADDING);
@@ -198,8 +229,8 @@ public:
 private:
     void release()
     {
-        GlBuffer* const buffers[] = {&corners_,         &image_,  &directions_, &planes_,
-                                     &directionPlanes_, &chords_, &sums_};
+        GlBuffer* const buffers[] = {&corners_, &image_,           &mask_,   &directions_,
+                                     &planes_,  &directionPlanes_, &chords_, &sums_};
         for (GlBuffer* buffer : buffers)
             buffer->release();
         maxima_.release();
@@ -256,7 +287,8 @@ private:
 
     void bringEdges(const EdgeMap& edges)
     {
-        device_->upload(edges.votes.data, edges.votes.total(), image_);
+        if (!edges.isTaken)
+            device_->upload(edges.votes.data, edges.votes.total(), image_);
         if (!edges.isOriented())
             return;
         if (std::max(edges.votes.cols, edges.votes.rows) > SHRT_MAX)
@@ -310,6 +342,7 @@ private:
     bool hasCorners_;
     GlBuffer corners_;
     GlBuffer image_, directions_; //!< the edge map
+    GlBuffer mask_;               //!< of a texture
     GlBuffer planes_, directionPlanes_;
     GlBuffer chords_, sums_; //!< of rescore
     GlMaxima maxima_;

@@ -80,6 +80,8 @@ struct EdgeMap
     //! The image and the mask that the votes come from, on OpenCV's device. The image is empty if it
     //! is not there, the mask if there is none.
     UMat source, sourceMask;
+    //! Whether the executor has the votes already, by takeTexture().
+    bool isTaken;
     bool weighted;
     //! CV_16UC1 of the same size, continuous: a pixel votes for the chords of the bins in its bits
     //! (orientation.hpp); empty: for all.
@@ -89,7 +91,7 @@ struct EdgeMap
     //! empty: none were.
     Mat dx, dy;
 
-    EdgeMap() : weighted(false), isEstimated(false) {}
+    EdgeMap() : isTaken(false), weighted(false), isEstimated(false) {}
     bool isOriented() const { return !directions.empty(); }
     //! Bytes that hold `count` edge pixels' votes.
     int depthFor(int count) const
@@ -170,6 +172,17 @@ public:
                             int /*radius*/, std::vector<Candidate>& /*found*/)
     {
         return false;
+    }
+
+    //! The size of a texture of OpenGL. Throws cv::Exception if it is none of those that detectTexture
+    //! takes.
+    virtual Size textureSize(unsigned int /*texture*/) { return Size(); }
+
+    /** Takes what votes from a texture of that size, as EdgeMap::votes, which are written as well;
+    `mask` may be empty. */
+    virtual void takeTexture(unsigned int /*texture*/, bool /*weighted*/, const Mat& /*mask*/,
+                             Mat& /*votes*/)
+    {
     }
 
     //! Writes a level's table as LineSpaceDetector::computeLevel does, to CV_32SC1 of that size.
