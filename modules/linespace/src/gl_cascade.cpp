@@ -11,6 +11,7 @@
 #ifdef LINESPACE_OPENGL
 
 #include "gl_maxima.hpp"
+#include "merge_rectangles.hpp"
 
 #include <climits>
 #include <cstring>
@@ -113,27 +114,23 @@ public:
     void mergeCells(const Plan& plan, int l, const VoteTable& child, VoteTable& parent,
                     int /*worthless*/) CV_OVERRIDE
     {
-        const Merge merge = plan.merge(l);
         const size_t words = wordsOf(parent);
-        const int lanes = logOf(std::min<size_t>(words, GlDevice::GROUP));
         // Of the child's votes that come to a word of the parent.
         const int bits = 8 * child.depth *
                          (int)std::min<size_t>(parent.cells, sizeof(uint) / parent.depth);
-        const uint mask = bits == 32 ? ~0u : (1u << bits) - 1;
-        const std::string options = windowOptions(device_->limits(), bytesOf(child)) +
-                                    define("CHILD_BITS", 8 * child.depth) +
-                                    define("PARENT_BITS", 8 * parent.depth);
-        forEachPart(parent,
-                    [&](int first, int count, size_t offset, size_t bytes)
-                    {
-                        GlLaunch(*device_, GL_MERGE, options)
-                            .windows(bufferOf(child), bytesOf(child))
-                            .block(bufferOf(parent), offset, bytes)
-                            .runItems({first, count, merge.child.width, merge.child.height,
-                                       merge.horizontal, lanes, logOf(parent.cells), (int)words,
-                                       (int)wordsOf(child), (int)mask},
-                                      (size_t)count << lanes);
-                    });
+        Merging merging = {child, parent, std::string(), (int)words,
+                           logOf(std::min<size_t>(words, GlDevice::GROUP)),
+                           bits == 32 ? -1 : (int)((1u << bits) - 1)};
+        merging.options = windowOptions(device_->limits(), bytesOf(child)) +
+                          define("CHILD_BITS", 8 * child.depth) +
+                          define("PARENT_BITS", 8 * parent.depth);
+        const std::vector<MergeRectangle> rectangles = mergeRectangles(plan.merge(l));
+        bool isBeside = false;
+        for (const MergeRectangle& rectangle : rectangles)
+        {
+            mergeRectangle(merging, rectangle, isBeside);
+            isBeside = true; // they read what none of them writes
+        }
     }
 
     void exactVotes(const EdgeMap& edges, const Plan& plan, VoteTable& table) CV_OVERRIDE
@@ -235,6 +232,63 @@ private:
             buffer->release();
         maxima_.release();
         hasCorners_ = false;
+    }
+
+    //! What the launches of a merge have in common.
+    struct Merging
+    {
+        const VoteTable &child, &parent;
+        std::string options;
+        int words, lanesLog, mask;
+    };
+
+    void mergeRectangle(const Merging& merging, const MergeRectangle& all, bool isBeside)
+    {
+        const VoteTable &child = merging.child, &parent = merging.parent;
+        const size_t bytes = merging.words * sizeof(uint), limit = device_->limits().blockBytes;
+        // As many rows at a time as a block holds, which begins where it may.
+        const size_t slack = device_->limits().alignment, row = all.rowLength * bytes;
+        if (row + slack > limit)
+            throw DeviceFailure("a row of chords is more than a storage block holds");
+        const int most = (int)std::min<size_t>(all.rows, (limit - slack) / row);
+        for (int first = 0; first < all.rows; first += most)
+        {
+            const int rows = std::min(most, all.rows - first);
+            const size_t begin = (all.start + (size_t)first * all.rowLength) * bytes,
+                         end = begin + (rows - 1) * row + all.columns * bytes;
+            // A whole number of chords before it, as both are powers of two.
+            const size_t offset = begin / std::max(slack, bytes) * std::max(slack, bytes);
+            GlLaunch(*device_, GL_MERGE,
+                     merging.options + (all.isCrossing ? define("CROSSING") : std::string()))
+                .windows(bufferOf(child), bytesOf(child))
+                .block(bufferOf(parent), offset, end - offset)
+                .runRows({0,
+                          0,
+                          all.columns,
+                          merging.lanesLog,
+                          logOf(parent.cells),
+                          merging.words,
+                          (int)wordsOf(child),
+                          merging.mask,
+                          (int)((begin - offset) / bytes),
+                          all.rowLength,
+                          all.childS,
+                          (int)(all.partS + first * all.stepS),
+                          (int)all.stepS,
+                          (int)all.sharedS,
+                          (int)all.partE,
+                          (int)all.stepE,
+                          (int)all.sharedE,
+                          all.alongS + first * all.alongStepS,
+                          all.alongStepS,
+                          all.acrossS + first * all.acrossStepS,
+                          all.acrossStepS,
+                          all.alongE,
+                          all.alongStepE,
+                          all.acrossE,
+                          all.acrossStepE},
+                         all.columns << merging.lanesLog, rows, isBeside || first > 0);
+        }
     }
 
     //! Calls launch(first chord, number, offset, bytes) for parts of a table that a block can hold.

@@ -572,16 +572,37 @@ GlLaunch& GlLaunch::windows(const GlBuffer& buffer, size_t bytes)
 
 void GlLaunch::run(const std::vector<int>& numbers, size_t groups)
 {
-    CV_DbgAssert(numbers.size() <= (size_t)GlDevice::NUMBERS);
     const size_t most = device_.limits().groups, columns = std::min(groups, most),
                  rows = (groups + columns - 1) / columns;
     if (rows > most)
         throw DeviceFailure(format("%.0f work groups are more than the device launches",
                                    (double)groups));
+    queue(numbers, (unsigned)columns, (unsigned)rows, false);
+}
+
+void GlLaunch::runRows(std::vector<int> numbers, int items, int rows, bool isBeside)
+{
+    const int most = (int)std::min<int64>(device_.limits().groups, INT_MAX / GlDevice::GROUP);
+    for (int row = 0; row < rows; row += most)
+        for (int item = 0; item < items; item += most * GlDevice::GROUP)
+        {
+            numbers[0] = item;
+            numbers[1] = row;
+            const int groups = (items - item - 1) / GlDevice::GROUP + 1;
+            queue(numbers, (unsigned)std::min(groups, most), (unsigned)std::min(rows - row, most),
+                  isBeside);
+            isBeside = true;
+        }
+}
+
+void GlLaunch::queue(const std::vector<int>& numbers, unsigned columns, unsigned rows, bool isBeside)
+{
+    CV_DbgAssert(numbers.size() <= (size_t)GlDevice::NUMBERS);
     const gl::Functions& gl = device_.gl_;
+    if (!isBeside)
+        device_.call("glMemoryBarrier", gl.MemoryBarrier, gl::SHADER_STORAGE_BARRIER_BIT);
     device_.call("glUniform1iv", gl.Uniform1iv, 0, (gl::GLsizei)numbers.size(), numbers.data());
-    device_.call("glDispatchCompute", gl.DispatchCompute, (gl::GLuint)columns, (gl::GLuint)rows, 1u);
-    device_.call("glMemoryBarrier", gl.MemoryBarrier, gl::SHADER_STORAGE_BARRIER_BIT);
+    device_.call("glDispatchCompute", gl.DispatchCompute, columns, rows, 1u);
 }
 
 std::string define(const char* name, int value)

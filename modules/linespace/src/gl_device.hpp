@@ -72,7 +72,7 @@ public:
     enum
     {
         GROUP = 64,  //!< invocations of a work group
-        NUMBERS = 16 //!< most that a launch takes
+        NUMBERS = 25 //!< most that a launch takes
     };
 
     /** The device for this thread: the caller's context if one is current, else one without a window;
@@ -205,14 +205,20 @@ public:
     //! The next blocks, parts of one buffer that are as large as a block can be, but for the last.
     GlLaunch& windows(const GlBuffer& buffer, size_t bytes);
 
-    //! Queues it, for at least so many work groups.
+    //! Queues it, for at least so many work groups, after what was queued before.
     void run(const std::vector<int>& numbers, size_t groups);
+    /** Queues it for so many items of so many rows. The first two numbers tell the shader where a launch
+    begins, if it takes several.
+    @param isBeside whether it needs nothing of what was queued last. */
+    void runRows(std::vector<int> numbers, int items, int rows, bool isBeside);
     void runItems(const std::vector<int>& numbers, size_t items)
     {
         run(numbers, (items + GlDevice::GROUP - 1) / GlDevice::GROUP);
     }
 
 private:
+    void queue(const std::vector<int>& numbers, unsigned columns, unsigned rows, bool isBeside);
+
     GlDevice& device_;
     unsigned next_; //!< block
 };

@@ -58,8 +58,12 @@ bool GlMaxima::find(GlDevice& device, const EdgeMap& edges, const Plan& plan, co
     const int bins = asShaderInt((double)plan.level(plan.levelCount() - 1).maxVotes *
                                      (edges.weighted ? 255 : 1) +
                                  1);
-    device.allocate(state_, (NUMBERS + (size_t)bins + 2 * (size_t)tiles) * sizeof(int));
-    device.allocate(masks_, (size_t)tiles * GlDevice::GROUP * sizeof(uint));
+    const size_t stateBytes = (NUMBERS + (size_t)bins + 2 * (size_t)tiles) * sizeof(int),
+                 maskBytes = (size_t)tiles * GlDevice::GROUP * sizeof(uint);
+    if (std::max(stateBytes, maskBytes) > device.limits().blockBytes)
+        return false;
+    device.allocate(state_, stateBytes);
+    device.allocate(masks_, maskBytes);
     if (isRequired)
         device.upload(wanted.leastVotes, leastVotes_);
 
@@ -113,6 +117,8 @@ bool GlMaxima::find(GlDevice& device, const EdgeMap& edges, const Plan& plan, co
     int room = isFew ? most : std::min(most, room_);
     for (;; room = room_)
     {
+        if ((1 + (size_t)room) * THREE > device.limits().blockBytes)
+            return false;
         device.allocate(maxima_, (1 + (size_t)room) * THREE);
         GlLaunch(device, GL_MAXIMA, define("WRITE") + tableOptions)
             .windows(table, tableBytes)

@@ -22,7 +22,7 @@ public:
     /** As Executor::findMaxima; finds them in the order (s, e).
     @param table a word for each chord.
     @return false if it is asked for those that the requirement of several directions or an interval
-    of angles leaves. */
+    of angles leaves, or if the table or the maxima are too large for the device's blocks. */
     bool find(GlDevice& device, const EdgeMap& edges, const Plan& plan, const GlBuffer& table,
               const Wanted& wanted, int radius, std::vector<Candidate>& found);
     void release();
