@@ -16,6 +16,8 @@ test=(
     pkg-config python3 python3-dev python3-numpy xz-utils
     # A software device for OpenCL and one for OpenGL without a display.
     pocl-opencl-icd ocl-icd-libopencl1 libegl1 libegl-mesa0 libgl1-mesa-dri
+    # Another compiler of shaders; and what tells which libraries a library needs.
+    glslang-tools binutils
     # The fuzzers.
     clang libclang-rt-dev
     # OpenCV's own build, reduced.
