@@ -161,9 +161,16 @@ public:
         static_assert(sizeof(Chord) == 2 * sizeof(int), "an ivec2 of the device");
         device_->upload(chords, chords_);
         device_->allocate(sums_, votes.size() * sizeof(int));
-        GlLaunch launch(*device_, GL_EXACT, exactOptions(edges) + define("LIST"));
-        launch.block(image_).block(sums_).block(chords_);
-        countExactly(edges, plan, launch, 0, (int)chords.size());
+        const size_t most = device_->limits().blockBytes / sizeof(Chord);
+        for (size_t first = 0; first < chords.size(); first += most)
+        {
+            const size_t count = std::min(most, chords.size() - first);
+            GlLaunch launch(*device_, GL_EXACT, exactOptions(edges) + define("LIST"));
+            launch.block(image_)
+                .block(sums_, first * sizeof(int), count * sizeof(int))
+                .block(chords_, first * sizeof(Chord), count * sizeof(Chord));
+            countExactly(edges, plan, launch, 0, (int)count);
+        }
         device_->finish();
         device_->read(sums_, votes.size() * sizeof(int), votes.data());
     }

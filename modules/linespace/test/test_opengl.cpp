@@ -106,7 +106,11 @@ TEST_F(Linespace_OpenGl, the_strongest_candidates)
             detector->setSuppression(i % 17 == 3   ? SUPPRESS_BLOCKS
                                      : i % 17 == 9 ? SUPPRESS_GREEDY
                                                    : SUPPRESS_RING);
-            detector->detect(weighted, lines[k]);
+            if (i % 5 == 1)
+                detector->detect(weighted, noArray(), noArray(), lines[k]);
+            else
+                detector->detect(weighted, lines[k]);
+            ASSERT_EQ(backends[k], detector->getActiveBackend());
         }
         ASSERT_EQ(lines[0], lines[1]) << i;
     }
