@@ -491,6 +491,7 @@ private:
                     countVotes(executor, map, plan, parameters_.method == METHOD_EXACT, l, tables_,
                                counting.times);
                     write(executor, plan, l, out);
+                    executor.settleTimes(counting.times);
                 });
         keep(counting);
     }
@@ -651,6 +652,7 @@ private:
                         ? findParallelMaxima(table, frame, wanted)
                         : findCandidates(table, frame, wanted, parameters_.suppression, radius);
         }
+        executor.settleTimes(counting.times);
         counting.times.end("candidates");
         return found;
     }

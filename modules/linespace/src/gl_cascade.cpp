@@ -62,9 +62,20 @@ public:
 
     int backend() const CV_OVERRIDE { return BACKEND_OPENGL; }
     bool isUsable() const CV_OVERRIDE { return device_->isForThisThread(); }
-    void begin() CV_OVERRIDE { device_->begin(); }
+    void begin() CV_OVERRIDE
+    {
+        device_->begin();
+        device_->stamp();
+    }
     void end() CV_OVERRIDE { device_->end(); }
     void clear() CV_OVERRIDE { release(); }
+
+    void endStage(const String& name, StageTimes& times) CV_OVERRIDE
+    {
+        device_->stamp();
+        times.end(name);
+    }
+    void settleTimes(StageTimes& times) CV_OVERRIDE { times.correctLast(device_->laps()); }
 
     void allocate(const Level& level, int depth, VoteTable& table) CV_OVERRIDE
     {

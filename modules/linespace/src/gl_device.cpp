@@ -113,7 +113,8 @@ void GlBuffer::release()
 }
 
 GlDevice::GlDevice(GlContext&& context)
-    : context_(std::move(context)), isEmbedded_(false), isLost_(false), mark_(0), sampler_(0)
+    : context_(std::move(context)), isEmbedded_(false), isLost_(false), mark_(0), sampler_(0),
+      stamps_(0)
 {
     binding_.reset(new GlBinding(context_));
     gl_.load(context_.functions());
@@ -169,6 +170,8 @@ GlDevice::~GlDevice()
         gl_.DeleteBuffers(1, &mark_);
         if (sampler_)
             gl_.DeleteSamplers(1, &sampler_);
+        if (!queries_.empty())
+            gl_.DeleteQueries((gl::GLsizei)queries_.size(), queries_.data());
         end();
     }
     catch (const DeviceFailure&)
@@ -237,6 +240,7 @@ void GlDevice::begin()
             throw DeviceFailure("the context was destroyed");
         }
         freeDiscarded();
+        stamps_ = 0;
     }
     catch (...)
     {
@@ -458,6 +462,36 @@ void GlDevice::upload(const void* from, size_t bytes, GlBuffer& buffer)
     bind(buffer.name_);
     call("glBufferSubData", gl_.BufferSubData, gl::SHADER_STORAGE_BUFFER, (gl::GLintptr)0,
          (gl::GLsizeiptr)bytes, from);
+}
+
+void GlDevice::stamp()
+{
+    // OpenGL ES has it in an extension only.
+    if (isEmbedded_ || !gl_.QueryCounter || !gl_.GetQueryObjectui64v)
+        return;
+    if (stamps_ == queries_.size())
+    {
+        gl::GLuint query = 0;
+        call("glGenQueries", gl_.GenQueries, 1, &query);
+        queries_.push_back(query);
+    }
+    call("glQueryCounter", gl_.QueryCounter, queries_[stamps_], gl::TIMESTAMP);
+    ++stamps_;
+}
+
+std::vector<double> GlDevice::laps()
+{
+    std::vector<double> result;
+    gl::GLuint64 before = 0;
+    for (size_t i = 0; i < stamps_; ++i)
+    {
+        gl::GLuint64 now = 0;
+        call("glGetQueryObjectui64v", gl_.GetQueryObjectui64v, queries_[i], gl::QUERY_RESULT, &now);
+        if (i > 0)
+            result.push_back((double)(now - before) * 1e-6);
+        before = now;
+    }
+    return result;
 }
 
 void GlDevice::finish()

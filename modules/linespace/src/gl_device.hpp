@@ -102,6 +102,11 @@ public:
         upload(from.data(), from.size() * sizeof(Element), buffer);
     }
 
+    //! Notes the time at which the device comes here, if it has a clock.
+    void stamp();
+    //! After finish(): milliseconds between one stamp and the next, since begin().
+    std::vector<double> laps();
+
     //! Waits for the device.
     void finish();
     //! After finish(): reads what is there.
@@ -177,6 +182,8 @@ private:
     std::map<std::pair<int, std::string>, gl::GLuint> programs_;
     gl::GLuint mark_, sampler_;
     uint64 markValue_[2];
+    std::vector<gl::GLuint> queries_; //!< of stamps, which are the first of them
+    size_t stamps_;
     std::unique_ptr<GlBinding> binding_;
     // What was bound in the caller's context, from the first change on.
     Saved savedProgram_, savedBuffer_, savedUnit_, savedTexture_, savedSampler_;

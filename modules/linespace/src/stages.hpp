@@ -192,6 +192,11 @@ public:
     virtual void rescore(const EdgeMap& edges, const Plan& plan, const std::vector<Chord>& chords,
                          std::vector<int>& votes) = 0;
 
+    //! Ends a stage of votes. A device that only queues it takes a note of its own clock.
+    virtual void endStage(const String& name, StageTimes& times) { times.end(name); }
+    //! Puts the times of the device in the place of those of queueing; it has done everything.
+    virtual void settleTimes(StageTimes& /*times*/) {}
+
     //! Frees what is kept between calls.
     virtual void clear() = 0;
 };

@@ -190,7 +190,9 @@ public:
     lines "bounds" and "bundles" (what setPruning() does in the place of the last levels),
     "candidates", "ascent" (exact votes), "selection" (with refinement). Stages that a call does not
     have are missing; more may be added.
-    @param milliseconds of wall clock, one for each name. Both are empty before the first call.
+    @param milliseconds of wall clock, one for each name; the levels of #BACKEND_OPENGL by the
+    device's clock, where it has one, and "candidates" the rest of the time until they are read. Both
+    are empty before the first call.
     */
     CV_WRAP virtual void getStageTimes(CV_OUT std::vector<String>& stages,
                                        CV_OUT std::vector<double>& milliseconds) const = 0;
