@@ -8,7 +8,7 @@
 #   perf/run.sh [--quick] [--only SECTION]... [--data FOLDER]
 # --quick  small images, half a minute, into build/benchmark-quick/: shows that it works; times mean
 #          nothing
-# --only   only this section, into build/benchmark-only/: photographs, paper, opencl, sizes, densities, threads,
+# --only   only this section, into build/benchmark-only/: photographs, paper, opencl, opengl, sizes, densities, threads,
 #          instruction-sets, stages or memory
 # --data   folder of OpenCV's sample photographs, default that of OpenCV's sources
 # LINESPACE_NEWER_OPENCV_PYTHON names a Python with a newer cv2, which takes part; without it the

@@ -16,6 +16,8 @@ test=(
     pkg-config python3 python3-dev python3-numpy xz-utils
     # A software device for OpenCL and one for OpenGL without a display.
     pocl-opencl-icd ocl-icd-libopencl1 libegl1 libegl-mesa0 libgl1-mesa-dri
+    # Another compiler of shaders; and what tells which libraries a library needs.
+    glslang-tools binutils
     # The fuzzers.
     clang libclang-rt-dev
     # OpenCV's own build, reduced.
@@ -29,10 +31,10 @@ fi
 accuracy=(libopencv-contrib-dev python3 python3-numpy python3-scipy python3-matplotlib xz-utils)
 # On the machine itself; OpenCV for arm64 is unpacked into build/, see test/aarch64/make_sysroot.sh.
 aarch64=(g++-aarch64-linux-gnu qemu-user)
-# pocl: the device of OpenCV's own OpenCL; venv: a newer OpenCV is installed into one.
+# pocl: the device of OpenCV's own OpenCL; mesa: a software device for OpenGL; venv: a newer OpenCV is installed into one.
 benchmark=(
     libopencv-contrib-dev python3 python3-matplotlib python3-numpy python3-pandas python3-venv
-    pocl-opencl-icd ocl-icd-libopencl1 xz-utils
+    pocl-opencl-icd ocl-icd-libopencl1 libegl1 libegl-mesa0 libgl1-mesa-dri xz-utils
 )
 
 wanted=()

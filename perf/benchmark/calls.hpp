@@ -54,6 +54,10 @@ Call detection(const Input& input, Kind kind);
 //! The several kinds of `detect`, with one run of the reference for all.
 std::vector<Call> detections(const Input& input, const std::vector<Kind>& kinds);
 
+//! The same by BACKEND_OPENGL; only if isOpenGlThere().
+std::vector<Call> openGlDetections(const Input& input, const std::vector<Kind>& kinds);
+bool isOpenGlThere();
+
 /** cv::linespace::HoughLines(1, theta), all lines above the threshold; they are compared with those
 by BACKEND_REFERENCE after every call. */
 Call dropIn(const Input& input, const std::string& step, int threshold);

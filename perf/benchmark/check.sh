@@ -29,4 +29,12 @@ for table in requirements paper photographs-128x96 opencl-128x96 limits-1 memory
         exit 1
     }
 done
+# Nothing is said of OpenGL where there is none.
+if ! grep -q '^opengl,' "$folder/times.csv"; then
+    echo "check.sh: no OpenGL"
+    [[ ${LINESPACE_REQUIRE_BACKENDS:-} != 1 ]]
+elif [[ ! -s $folder/table-opengl.csv ]]; then
+    echo "check.sh: no table-opengl.csv" >&2
+    exit 1
+fi
 grep -Eq '^lines of every timed call .*,yes$' "$folder/table-requirements.csv"

@@ -76,6 +76,11 @@ void run(const Settings& settings, const std::vector<std::string>& only)
          {
              timeOpenCl(settings, recorder);
          }},
+        {"opengl",
+         [&]
+         {
+             timeOpenGl(settings, recorder);
+         }},
         {"sizes",
          [&]
          {
@@ -130,7 +135,7 @@ int main(int argc, char** argv)
         ->check(CLI::ExistingDirectory);
     app.add_option("--output", settings.output, "Folder to write to")->excludes(serveOption);
     app.add_option("--only", only, "Names of sections to run; all without it")
-        ->check(CLI::IsMember({"photographs", "paper", "opencl", "sizes", "densities", "threads",
+        ->check(CLI::IsMember({"photographs", "paper", "opencl", "opengl", "sizes", "densities", "threads",
                                "instruction-sets", "stages", "memory"}));
     app.add_option("--newer-python", settings.newerPython, "A Python with a newer cv2")
         ->envname("LINESPACE_NEWER_OPENCV_PYTHON");

@@ -58,10 +58,12 @@ std::vector<Stage> stagesOf(const ls::LineSpaceDetector& detector)
     return stages;
 }
 
-Call detection(const Input& input, Kind kind, const std::shared_ptr<const Lines>& expected)
+Call detection(const Input& input, Kind kind, int backend,
+               const std::shared_ptr<const Lines>& expected)
 {
-    const auto kept = detectorFor(input, kind, ls::BACKEND_CPU);
-    return {nameOf(kind), [=]
+    const auto kept = detectorFor(input, kind, backend);
+    const std::string name = backend == ls::BACKEND_OPENGL ? "OpenGL " : "";
+    return {name + nameOf(kind), [=]
             {
                 auto detector = kept;
                 Lines lines;
@@ -69,12 +71,25 @@ Call detection(const Input& input, Kind kind, const std::shared_ptr<const Lines>
                     [&]
                     {
                         if (kind == Kind::NEW)
-                            detector = detectorFor(input, kind, ls::BACKEND_CPU);
+                            detector = detectorFor(input, kind, backend);
                         detector->detect(input.edges, lines);
                     });
                 return Outcome{milliseconds, (int)lines.size(), lines == *expected,
                                stagesOf(*detector)};
             }};
+}
+
+std::vector<Call> detections(const Input& input, const std::vector<Kind>& kinds, int backend)
+{
+    const auto expected = std::make_shared<const Lines>(referenceLines(input, Kind::DETECT));
+    std::vector<Call> calls;
+    for (const Kind kind : kinds)
+        calls.push_back(
+            detection(input, kind, backend,
+                      kind == Kind::EXACT
+                          ? std::make_shared<const Lines>(referenceLines(input, kind))
+                          : expected));
+    return calls;
 }
 
 //! Of the drop-in, by the back end that is set for the whole process.
@@ -89,17 +104,32 @@ std::vector<cv::Vec2f> dropInLines(const cv::Mat1b& edges, double theta, int thr
 
 Call detection(const Input& input, Kind kind)
 {
-    return detection(input, kind, std::make_shared<const Lines>(referenceLines(input, kind)));
+    return detections(input, {kind}).front();
 }
 
 std::vector<Call> detections(const Input& input, const std::vector<Kind>& kinds)
 {
-    const auto expected = std::make_shared<const Lines>(referenceLines(input, Kind::DETECT));
-    std::vector<Call> calls;
-    for (const Kind kind : kinds)
-        calls.push_back(kind == Kind::EXACT ? detection(input, kind)
-                                            : detection(input, kind, expected));
-    return calls;
+    return detections(input, kinds, ls::BACKEND_CPU);
+}
+
+bool isOpenGlThere()
+{
+    try
+    {
+        Lines lines;
+        ls::LineSpaceDetector::create(1, 0, ls::METHOD_CASCADED, 8, ls::BACKEND_OPENGL)
+            ->detect(cv::Mat1b(1, 1, uchar(1)), lines);
+        return true;
+    }
+    catch (const cv::Exception&)
+    {
+        return false;
+    }
+}
+
+std::vector<Call> openGlDetections(const Input& input, const std::vector<Kind>& kinds)
+{
+    return detections(input, kinds, ls::BACKEND_OPENGL);
 }
 
 double angleStep(const std::string& step, cv::Size size)

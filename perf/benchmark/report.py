@@ -76,7 +76,7 @@ def main():
     report = Report(run, arguments.results)
     report.text(head(run.machine, arguments.command))
     for write in (sections.write_requirements, sections.write_photographs, sections.write_paper,
-                  sections.write_opencl,
+                  sections.write_opencl, sections.write_opengl,
                   sections.write_sizes, sections.write_densities, sections.write_threads,
                   sections.write_instruction_sets, sections.write_stages, sections.write_memory):
         write(report)

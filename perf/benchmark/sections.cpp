@@ -108,6 +108,24 @@ void timeOpenCl(const Settings& settings, Recorder& recorder)
         }
 }
 
+void timeOpenGl(const Settings& settings, Recorder& recorder)
+{
+    if (!isOpenGlThere())
+    {
+        std::cerr << "Left out: OpenGL (no context without a window)\n";
+        return;
+    }
+    for (const cv::Size size : squares(settings.some<int>({64, 128, 256, 512}, 2)))
+        for (const char* name : {"sudoku.png", "board.jpg"})
+        {
+            const Input input = photograph(settings.data, name, size);
+            std::vector<Call> calls = {houghLines(input, "1/(2n)", input.threshold)};
+            append(calls, openGlDetections(input, {Kind::EXACT, Kind::DETECT}));
+            append(calls, detections(input, {Kind::EXACT, Kind::UNPRUNED}));
+            timeInTurn("opengl", input, calls, settings, recorder);
+        }
+}
+
 void timeSizes(const Settings& settings, Recorder& recorder)
 {
     for (const cv::Size size : squares(settings.some<int>({64, 128, 256, 512, 1024, 2048}, 3)))

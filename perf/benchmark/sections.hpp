@@ -23,6 +23,9 @@ void timePaper(const Settings& settings, Recorder& recorder);
 //! cv::UMat beside cv::Mat on the photographs.
 void timeOpenCl(const Settings& settings, Recorder& recorder);
 
+//! The columns of Table 1 of the paper for OpenGL, n = 64 to 512.
+void timeOpenGl(const Settings& settings, Recorder& recorder);
+
 //! One photograph at n = 64 to 2048.
 void timeSizes(const Settings& settings, Recorder& recorder);
 

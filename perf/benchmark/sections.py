@@ -132,6 +132,37 @@ Milliseconds: medians (quartiles, n calls).
         report.table(table)
 
 
+def write_opengl(report):
+    times = report.run.section("opengl")
+    if times.empty:
+        return
+    report.text("""## OpenGL
+
+The columns of Table 1 of the paper by `BACKEND_OPENGL`, over the side n, k = 8, milliseconds (medians). *Line Space*: `METHOD_EXACT`, all of `detect`. *Cascaded*: first
+cells, merges and both by the device's own clock; *lines*: all of `detect`. *CPU*: the same two by `BACKEND_CPU`, the cascaded one with `setPruning(false)`. *Hough*: `cv::HoughLines` at
+(1, 1/(2n)) on the CPU.
+""")
+    table = Table("opengl", "Table 1 by OpenGL",
+                  ["n", "image", "p", "Hough CPU", "Line Space", "first cells", "merges", "total",
+                   "lines", "Line Space over lines", "CPU Line Space", "CPU lines"])
+    stages = report.run.stages[(report.run.stages["section"] == "opengl")
+                               & (report.run.stages["method"] == "OpenGL Line Space")]
+    for (width, image), here in times.groupby(["width", "image"], sort=False):
+        value = here.set_index("method")["median"]
+        counted = stages[(stages["width"] == width) & (stages["image"] == image)]
+        cells = counted[counted["stage"] == "level 0"]["median"].sum()
+        total = counted[counted["stage"].str.startswith("level ")]["median"].sum()
+        exact, lines = (value.get(method, math.nan)
+                        for method in ("OpenGL Line Space exact", "OpenGL Line Space"))
+        table.add(width, image, number(here["density"].iloc[0], 3),
+                  milliseconds(value.get("HoughLines 1/(2n)", math.nan)), milliseconds(exact),
+                  milliseconds(cells), milliseconds(total - cells), milliseconds(total),
+                  milliseconds(lines), number(exact / lines, 1),
+                  *(milliseconds(value.get(method, math.nan))
+                    for method in ("Line Space exact", requirements.UNPRUNED)))
+    report.table(table)
+
+
 def write_sizes(report):
     times = report.run.section("sizes")
     if times.empty:

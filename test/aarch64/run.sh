@@ -56,7 +56,7 @@ filter='-*_Large.*:*_VoteBound.*:*_BadInput.*:*_Grid.rule*:*_StageTimes.*:'
 filter+='*.lines_are_chords_with_their_votes*:*.the_same_on_every_*:*.a_line_alone*'
 digests=$build/digests.txt
 export LINESPACE_SAMPLES_DATA=$PWD/build/opencv-source/samples/data
-LINESPACE_EXPECT_SET=baseline LINESPACE_DIGESTS=$digests OPENCV_OPENCL_RUNTIME=disabled \
+LINESPACE_EXPECT_SET=baseline LINESPACE_DIGESTS=$digests OPENCV_OPENCL_RUNTIME=disabled LINESPACE_EGL_LIBRARY=disabled \
     run_on_arm "$program" --gtest_color=no "--gtest_filter=$filter"
 
 step "the same bits as this machine's own processor"

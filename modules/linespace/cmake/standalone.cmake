@@ -34,7 +34,7 @@ target_include_directories(opencv_linespace
   PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>"
          "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>"
   PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/src" "${linespace_config_dir}")
-target_link_libraries(opencv_linespace PUBLIC opencv_core PRIVATE opencv_imgproc)
+target_link_libraries(opencv_linespace PUBLIC opencv_core PRIVATE opencv_imgproc ${CMAKE_DL_LIBS})
 set_target_properties(opencv_linespace PROPERTIES
   VERSION ${PROJECT_VERSION}
   SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}

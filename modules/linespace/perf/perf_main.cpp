@@ -4,4 +4,7 @@
 
 #include "perf_precomp.hpp"
 
-CV_PERF_TEST_MAIN(linespace)
+// --perf_impl: what perf_implementations.cpp runs.
+static const char* implementations[] = {"plain", "opencl", "opengl"};
+
+CV_PERF_TEST_MAIN_WITH_IMPLS(linespace, implementations)

@@ -4,6 +4,7 @@
 
 #include "backends.hpp"
 
+#include "gl_cascade.hpp"
 #include "ocl_cascade.hpp"
 
 #include <opencv2/core/ocl.hpp>
@@ -25,16 +26,17 @@ const char* nameOf(int backend)
     return names[backend];
 }
 
+//! What OpenGL there is shows when it is used.
 bool isAvailable(int backend)
 {
-    return backend == BACKEND_REFERENCE || backend == BACKEND_CPU ||
-           (backend == BACKEND_OPENCL && isOpenClActive());
+    return backend != BACKEND_OPENCL || isOpenClActive();
 }
 
 Ptr<Executor> create(int backend)
 {
     return backend == BACKEND_REFERENCE ? createReferenceExecutor()
            : backend == BACKEND_OPENCL  ? createOpenClExecutor()
+           : backend == BACKEND_OPENGL  ? createOpenGlExecutor()
                                         : createCpuExecutor();
 }
 
@@ -55,24 +57,29 @@ int getDefaultBackend()
 
 Ptr<Executor> executorFor(int backend, bool isUMat, const Ptr<Executor>& kept)
 {
-    if (backend == BACKEND_AUTO)
+    const bool isNamed = backend != BACKEND_AUTO;
+    if (!isNamed)
     {
         backend = defaultBackend;
         if (backend == BACKEND_AUTO && isUMat)
             backend = BACKEND_OPENCL;
-        if (!isAvailable(backend))
+        if (backend == BACKEND_AUTO || !isAvailable(backend))
             backend = BACKEND_CPU;
     }
-    if (backend == BACKEND_OPENCL && !isAvailable(backend))
+    if (!isAvailable(backend))
         CV_Error(Error::OpenCLInitError,
                  "backend = BACKEND_OPENCL: OpenCV uses no OpenCL device here "
                  "(cv::ocl::useOpenCL() is false); must be another one");
-    if (!isAvailable(backend))
-        CV_Error_(Error::StsNotImplemented,
-                  ("backend = %s is not part of this build: must be BACKEND_AUTO, "
-                   "BACKEND_REFERENCE, BACKEND_CPU or BACKEND_OPENCL",
-                   nameOf(backend)));
-    return kept && kept->backend() == backend && kept->isUsable() ? kept : create(backend);
+    if (kept && kept->backend() == backend && kept->isUsable())
+        return kept;
+    try
+    {
+        return create(backend);
+    }
+    catch (const DeviceFailure& failure)
+    {
+        return substituteFor(isNamed ? backend : (int)BACKEND_AUTO, failure);
+    }
 }
 
 UMat onDevice(InputArray array)
@@ -86,7 +93,7 @@ UMat onDevice(InputArray array)
 Ptr<Executor> substituteFor(int backend, const DeviceFailure& failure)
 {
     if (backend != BACKEND_AUTO)
-        CV_Error_(Error::OpenCLApiCallError,
+        CV_Error_(backend == BACKEND_OPENGL ? Error::OpenGlApiCallError : Error::OpenCLApiCallError,
                   ("backend = %s: %s; must be another one, or BACKEND_AUTO", nameOf(backend),
                    failure.reason.c_str()));
     CV_LOG_WARNING(NULL, "linespace: the CPU path runs, not the device: " << failure.reason);

@@ -27,14 +27,27 @@ Ptr<Executor> substituteFor(int backend, const DeviceFailure& failure);
 //! The array, where it is a UMat on OpenCV's device; else an empty one.
 UMat onDevice(InputArray array);
 
-/** Calls work(executor) with the executor of a back end, and once more with another one if a device
-fails that was not asked for by name. Returns the executor that did it. */
-template<class Work>
-Ptr<Executor> runOn(int backend, bool isUMat, const Ptr<Executor>& kept, Work work)
+//! The time in which an executor works.
+class WorkingTime
 {
-    Ptr<Executor> executor = executorFor(backend, isUMat, kept);
+public:
+    explicit WorkingTime(Executor& executor) : executor_(executor) { executor_.begin(); }
+    ~WorkingTime() { executor_.end(); }
+
+private:
+    WorkingTime(const WorkingTime&);
+    WorkingTime& operator=(const WorkingTime&);
+    Executor& executor_;
+};
+
+/** Calls work(executor), and once more with another one if a device fails that was not asked for by
+name (which `backend` tells). Returns the executor that did it. */
+template<class Work>
+Ptr<Executor> runOn(int backend, Ptr<Executor> executor, Work work)
+{
     try
     {
+        const WorkingTime time(*executor);
         work(*executor);
     }
     catch (const DeviceFailure& failure)
@@ -43,6 +56,13 @@ Ptr<Executor> runOn(int backend, bool isUMat, const Ptr<Executor>& kept, Work wo
         work(*executor);
     }
     return executor;
+}
+
+//! The same with the executor of a back end.
+template<class Work>
+Ptr<Executor> runOn(int backend, bool isUMat, const Ptr<Executor>& kept, Work work)
+{
+    return runOn(backend, executorFor(backend, isUMat, kept), work);
 }
 
 } // namespace linespace

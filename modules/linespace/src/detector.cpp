@@ -75,6 +75,32 @@ public:
         detectLines(edges, gradients, lines);
     }
 
+    void detectTexture(unsigned int texture, OutputArray lines) CV_OVERRIDE
+    {
+        checkOutput(lines, "lines");
+        if (parameters_.backend != BACKEND_AUTO && parameters_.backend != BACKEND_OPENGL)
+            CV_Error_(Error::StsBadArg, ("backend = %d: detectTexture must have BACKEND_AUTO or "
+                                         "BACKEND_OPENGL",
+                                         parameters_.backend));
+        Counting counting;
+        EdgeMap map;
+        Size size;
+        counting.executor = executorFor(BACKEND_OPENGL, false, executor_);
+        try
+        {
+            {
+                const WorkingTime time(*counting.executor);
+                size = counting.executor->textureSize(texture);
+            }
+            withMemoryFor("texture", size,
+                          [&]() { detectTaken(texture, size, map, counting, lines); });
+        }
+        catch (const DeviceFailure& failure)
+        {
+            substituteFor(BACKEND_OPENGL, failure); // which throws: nobody else has the texture
+        }
+    }
+
     void compute(InputArray edges, OutputArray lineSpace) CV_OVERRIDE
     {
         withMemoryFor("edges", edges.size(), [&]() { writeLevel(edges, -1, lineSpace); });
@@ -223,7 +249,6 @@ private:
                           const Input input = {edges, gradients};
                           EdgeMap map;
                           Counting counting;
-                          const MapUse use(*this, counting);
                           prepare(input, -1, false, map, counting);
                           std::vector<Vec3f> found, deviations;
                           findLines(input, map, counting, found, deviations);
@@ -289,16 +314,17 @@ private:
         return (size_t)std::min<int64>(most, INT_MAX); // where size_t has 32 bits
     }
 
-    void checkMemory(const Plan& plan, bool oriented, int level, double resultBytes) const
+    void checkMemory(const char* name, const Plan& plan, bool oriented, int level,
+                     double resultBytes) const
     {
         const double bytes =
             workingMemory(plan, parameters_.edgeWeights, oriented, level) + resultBytes;
         const double mebibytes = bytes / (1 << 20);
         if (mebibytes > parameters_.memoryLimit)
             CV_Error_(Error::StsNoMem,
-                      ("edges of %d x %d pixels need %.0f MiB of memory: must be at most "
+                      ("%s of %d x %d pixels need %.0f MiB of memory: must be at most "
                        "memoryLimit = %d MiB",
-                       plan.imageSize().width, plan.imageSize().height, mebibytes,
+                       name, plan.imageSize().width, plan.imageSize().height, mebibytes,
                        parameters_.memoryLimit));
     }
 
@@ -325,27 +351,6 @@ private:
         const Gradients& gradients;
     };
 
-    //! As long as it lives executors may hold the user's arrays.
-    class MapUse
-    {
-    public:
-        MapUse(const LineSpaceDetectorImpl& detector, const Counting& counting)
-            : detector_(detector), counting_(counting)
-        {
-        }
-        ~MapUse()
-        {
-            if (counting_.executor)
-                counting_.executor->forgetMap();
-            if (detector_.executor_)
-                detector_.executor_->forgetMap();
-        }
-
-    private:
-        const LineSpaceDetectorImpl& detector_;
-        const Counting& counting_;
-    };
-
     //! What the detector tells of its last call from now on; nothing of the call can fail any more.
     void keep(const Counting& counting)
     {
@@ -362,33 +367,38 @@ private:
     void prepare(const Input& input, int level, bool writesTable, EdgeMap& edges,
                  Counting& counting)
     {
-        counting.times.restart();
         checkImage(input.edges, "edges");
-        const Size size = input.edges.size();
-        const Gradients& gradients = input.gradients;
-        if (!mask_.empty() && mask_.size() != size)
-            CV_Error_(Error::StsUnmatchedSizes,
-                      ("mask has %d x %d pixels: must have the %d x %d of edges", mask_.cols,
-                       mask_.rows, size.width, size.height));
-        gradients.check(size);
-        // Border points are numbered by int.
-        if ((int64)size.width + size.height > (1 << 28))
-            CV_Error_(Error::StsOutOfRange,
-                      ("edges has %d x %d pixels: width + height must be at most 2^28", size.width,
-                       size.height));
-        const Ptr<const Plan> plan = planFor(size);
-        counting.level = level < 0 ? plan->levelCount() - 1 : level;
-        checkRange(counting.level, 0, plan->levelCount() - 1, "level",
-                   "less than the number of levels of this image size");
-        checkMemory(*plan, gradients.isOriented, counting.level,
-                    writesTable ? tableBytes(plan->level(counting.level), size)
-                                : selectionBytes(*plan, gradients.isOriented));
-        counting.plan = plan;
-        edges.weighted = parameters_.edgeWeights;
+        prepare("edges", input.edges.size(), input.gradients, level, writesTable, edges, counting);
         edges.source = onDevice(input.edges);
         if (!edges.source.empty() && !mask_.empty() && maskOnDevice_.empty())
             mask_.copyTo(maskOnDevice_);
         edges.sourceMask = maskOnDevice_;
+    }
+
+    //! The same but for what an edge map has on OpenCV's device.
+    void prepare(const char* name, Size size, const Gradients& gradients, int level,
+                 bool writesTable, EdgeMap& edges, Counting& counting)
+    {
+        counting.times.restart();
+        if (!mask_.empty() && mask_.size() != size)
+            CV_Error_(Error::StsUnmatchedSizes,
+                      ("mask has %d x %d pixels: must have the %d x %d of %s", mask_.cols,
+                       mask_.rows, size.width, size.height, name));
+        gradients.check(size);
+        // Border points are numbered by int.
+        if ((int64)size.width + size.height > (1 << 28))
+            CV_Error_(Error::StsOutOfRange,
+                      ("%s has %d x %d pixels: width + height must be at most 2^28", name,
+                       size.width, size.height));
+        const Ptr<const Plan> plan = planFor(size);
+        counting.level = level < 0 ? plan->levelCount() - 1 : level;
+        checkRange(counting.level, 0, plan->levelCount() - 1, "level",
+                   "less than the number of levels of this image size");
+        checkMemory(name, *plan, gradients.isOriented, counting.level,
+                    writesTable ? tableBytes(plan->level(counting.level), size)
+                                : selectionBytes(*plan, gradients.isOriented));
+        counting.plan = plan;
+        edges.weighted = parameters_.edgeWeights;
     }
 
     //! Brings the edge map to the host, if it is not there.
@@ -410,12 +420,34 @@ private:
         times.end("edge map");
     }
 
+    void detectTaken(unsigned int texture, Size size, EdgeMap& map, Counting& counting,
+                     OutputArray lines)
+    {
+        const Gradients none = {false, Mat(), Mat()};
+        prepare("texture", size, none, -1, false, map, counting);
+        {
+            const WorkingTime time(*counting.executor);
+            counting.executor->takeTexture(texture, map.weighted, mask_, images_.votes);
+        }
+        map.votes = images_.votes;
+        map.isTaken = true;
+        counting.times.end("edge map");
+        std::vector<Vec3f> found, deviations;
+        const Input input = {noArray(), none};
+        findLines(input, map, counting, found, deviations);
+        writeVectors(found, lines);
+        deviations_.swap(deviations);
+        keep(counting);
+    }
+
     /** Calls work(executor) with the executor that is to count, and sets the counting's; changes
     nothing but what is kept for speed. */
     template<class Work>
     void runWith(bool isUMat, Counting& counting, Work work)
     {
-        counting.executor = runOn(parameters_.backend, isUMat, executor_,
+        if (!counting.executor)
+            counting.executor = executorFor(parameters_.backend, isUMat, executor_);
+        counting.executor = runOn(parameters_.backend, counting.executor,
                                   [&](Executor& executor)
                                   {
                                       if (&executor != executor_.get()) // tables of another device
@@ -462,7 +494,6 @@ private:
         const Gradients none = {false, Mat(), Mat()};
         const Input input = {edges, none};
         Counting counting;
-        const MapUse use(*this, counting);
         prepare(input, level, true, map, counting);
         const Plan& plan = *counting.plan;
         const int l = counting.level;
@@ -474,6 +505,7 @@ private:
                     countVotes(executor, map, plan, parameters_.method == METHOD_EXACT, l, tables_,
                                counting.times);
                     write(executor, plan, l, out);
+                    executor.settleTimes(counting.times);
                 });
         keep(counting);
     }
@@ -669,6 +701,7 @@ private:
                         ? findParallelMaxima(table, frame, wanted)
                         : findCandidates(table, frame, wanted, parameters_.suppression, radius);
         }
+        executor.settleTimes(counting.times);
         counting.times.end("candidates");
         return found;
     }

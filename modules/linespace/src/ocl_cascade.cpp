@@ -84,7 +84,7 @@ public:
 
     bool takesUMats() const CV_OVERRIDE { return true; }
 
-    void forgetMap() CV_OVERRIDE { ascent_.reset(DevicePixels(), false, Cell()); }
+    void end() CV_OVERRIDE { ascent_.reset(DevicePixels(), false, Cell()); }
 
     void clear() CV_OVERRIDE { *this = OpenClExecutor(); }
 

@@ -33,6 +33,19 @@ public:
         milliseconds_.push_back((double)(now - last_) * 1e3 / getTickFrequency());
         last_ = now;
     }
+    //! The last stages took so long; what that is more or less than was measured, the next one did not.
+    void correctLast(const std::vector<double>& milliseconds)
+    {
+        CV_DbgAssert(milliseconds.size() <= milliseconds_.size());
+        double more = 0;
+        double* const last = milliseconds_.data() + milliseconds_.size() - milliseconds.size();
+        for (size_t i = 0; i < milliseconds.size(); ++i)
+        {
+            more += milliseconds[i] - last[i];
+            last[i] = milliseconds[i];
+        }
+        last_ += (int64)(more * getTickFrequency() * 1e-3);
+    }
     const std::vector<String>& names() const { return names_; }
     const std::vector<double>& milliseconds() const { return milliseconds_; }
 

@@ -38,7 +38,7 @@ void countVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, bool
         executor.exactVotes(edges, plan, first);
     else
         executor.firstCells(edges, plan, first);
-    times.end("level 0");
+    executor.endStage("level 0", times);
     mergeVotes(executor, edges, plan, 0, level, tables, times, worthless);
 }
 
@@ -53,7 +53,7 @@ void mergeVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, int 
         if (!mergeNarrow(executor, edges, plan, l, child, parent))
             executor.mergeCells(plan, l, child, parent,
                                 l == plan.levelCount() - 1 ? worthless : -1);
-        times.end(format("level %d", l));
+        executor.endStage(format("level %d", l), times);
     }
 }
 

@@ -23,6 +23,13 @@
 namespace cv {
 namespace linespace {
 
+//! Memory of a device of which OpenCV knows nothing.
+class DeviceMemory
+{
+public:
+    virtual ~DeviceMemory() {}
+};
+
 /** Votes of all chords of all cells of one level. The votes of chord i of the cell with index c
 (see Plan::cellOrder) stand at data[i * cells + c], as unsigned integers of `depth` bytes (1, 2 or
 4). */
@@ -32,6 +39,7 @@ struct VoteTable
     int depth;
     Buffer buffer;
     UMat device; //!< the same on a device: a row of bytes; what is in buffer, fetch() tells
+    Ptr<DeviceMemory> memory; //!< the same on another device, in an order of its own
 
     VoteTable() : chords(0), cells(0), depth(0) {}
 
@@ -72,6 +80,8 @@ struct EdgeMap
     //! The image and the mask that the votes come from, on OpenCV's device. The image is empty if it
     //! is not there, the mask if there is none.
     UMat source, sourceMask;
+    //! Whether the executor has the votes already, by takeTexture().
+    bool isTaken;
     bool weighted;
     //! CV_16UC1 of the same size, continuous: a pixel votes for the chords of the bins in its bits
     //! (orientation.hpp); empty: for all.
@@ -81,7 +91,7 @@ struct EdgeMap
     //! empty: none were.
     Mat dx, dy;
 
-    EdgeMap() : weighted(false), isEstimated(false) {}
+    EdgeMap() : isTaken(false), weighted(false), isEstimated(false) {}
     bool isOriented() const { return !directions.empty(); }
     //! Bytes that hold `count` edge pixels' votes.
     int depthFor(int count) const
@@ -114,6 +124,10 @@ public:
 
     //! Whether it still can run: a device may not be the one in use any more.
     virtual bool isUsable() const { return true; }
+
+    //! Around all the work of one call, in one thread; end() throws nothing.
+    virtual void begin() {}
+    virtual void end() {}
 
     //! Whether it works where the data of a UMat are: it reads EdgeMap::source, and writeTable() works.
     virtual bool takesUMats() const { return false; }
@@ -159,14 +173,25 @@ public:
     @param areCounted set if that was done.
     @return false if they are better found in table.buffer after fetch(). */
     virtual bool findMaxima(const EdgeMap&, const Plan&, const VoteTable& /*table*/, const Wanted&,
-                            int /*radius*/, int /*ascentRadius*/,
-                            std::vector<Candidate>& /*found*/, bool& /*areCounted*/)
+                            int /*radius*/, int /*ascentRadius*/, std::vector<Candidate>& /*found*/,
+                            bool& /*areCounted*/)
     {
         return false;
     }
 
     //! Reads the edge pixels of the map that was counted last, if it takesUMats(), whatever their weights.
     virtual void readBits(EdgeBits& /*bits*/) {}
+
+    //! The size of a texture of OpenGL. Throws cv::Exception if it is none of those that detectTexture
+    //! takes.
+    virtual Size textureSize(unsigned int /*texture*/) { return Size(); }
+
+    /** Takes what votes from a texture of that size, as EdgeMap::votes, which are written as well;
+    `mask` may be empty. */
+    virtual void takeTexture(unsigned int /*texture*/, bool /*weighted*/, const Mat& /*mask*/,
+                             Mat& /*votes*/)
+    {
+    }
 
     //! Writes a level's table as LineSpaceDetector::computeLevel does, to CV_32SC1 of that size.
     virtual void writeTable(const Plan&, int /*level*/, const VoteTable&, const UMat& /*out*/) {}
@@ -175,8 +200,10 @@ public:
     virtual void rescore(const EdgeMap& edges, const Plan& plan, const std::vector<Chord>& chords,
                          std::vector<int>& votes) = 0;
 
-    //! Gives back what it holds of the map that was counted last: the user's arrays.
-    virtual void forgetMap() {}
+    //! Ends a stage of votes. A device that only queues it takes a note of its own clock.
+    virtual void endStage(const String& name, StageTimes& times) { times.end(name); }
+    //! Puts the times of the device in the place of those of queueing; it has done everything.
+    virtual void settleTimes(StageTimes& /*times*/) {}
 
     //! Frees what is kept between calls.
     virtual void clear() = 0;
@@ -198,6 +225,7 @@ struct VoteTables
         {
             tables_[i].buffer.release();
             tables_[i].device.release();
+            tables_[i].memory.reset();
         }
     }
 

@@ -33,7 +33,7 @@ private:
 
 bool hasDevice()
 {
-    return comparedBackends().back() == BACKEND_OPENCL;
+    return isCompared(BACKEND_OPENCL);
 }
 
 class Linespace_OpenCl : public testing::Test

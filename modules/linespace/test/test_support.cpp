@@ -4,6 +4,7 @@
 
 #include "test_precomp.hpp"
 
+#include "test_gl.hpp"
 #include "test_support.hpp"
 
 #include <opencv2/core/ocl.hpp>
@@ -49,15 +50,44 @@ bool findDevice()
     return false;
 }
 
+bool findOpenGl()
+{
+    std::string reason;
+    try
+    {
+        std::vector<Vec3f> lines;
+        LineSpaceDetector::create(1, 0, METHOD_CASCADED, 8, BACKEND_OPENGL)
+            ->detect(Mat1b(1, 1, uchar(1)), lines);
+        std::cout << "OpenGL of the tests: " << headlessRenderer() << std::endl;
+        return true;
+    }
+    catch (const cv::Exception& exception)
+    {
+        reason = exception.err;
+    }
+    std::cout << "Tests on OpenGL are skipped: " << reason << std::endl;
+    if (isSet("LINESPACE_REQUIRE_BACKENDS", "1") && !isSet("LINESPACE_EGL_LIBRARY", "disabled"))
+        CV_Error(Error::StsError, "OpenGL is required by LINESPACE_REQUIRE_BACKENDS");
+    return false;
+}
+
 } // namespace
 
 std::vector<int> comparedBackends()
 {
-    static const bool hasDevice = findDevice();
+    static const bool hasDevice = findDevice(), hasOpenGl = findOpenGl();
     std::vector<int> backends(1, (int)BACKEND_CPU);
     if (hasDevice)
         backends.push_back(BACKEND_OPENCL);
+    if (hasOpenGl)
+        backends.push_back(BACKEND_OPENGL);
     return backends;
+}
+
+bool isCompared(int backend)
+{
+    const std::vector<int> backends = comparedBackends();
+    return std::find(backends.begin(), backends.end(), backend) != backends.end();
 }
 
 std::vector<int> testBackends()

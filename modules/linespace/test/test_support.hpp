@@ -15,12 +15,14 @@ namespace opencv_test {
 
 using namespace cv::linespace;
 
-/** The back ends every test of votes runs on: the processor's, and OpenCL where OpenCV uses a device.
-Tells once which device that is, or why there is none, which with LINESPACE_REQUIRE_BACKENDS=1 is an
-error (but with OPENCV_OPENCL_RUNTIME=disabled). */
+/** The back ends every test of votes runs on: the processor's, OpenCL where OpenCV uses a device, and
+OpenGL where there is a context. Tells once which devices these are, or why there is none, which with
+LINESPACE_REQUIRE_BACKENDS=1 is an error (but with OPENCV_OPENCL_RUNTIME=disabled and
+LINESPACE_EGL_LIBRARY=disabled). */
 std::vector<int> testBackends();
 //! The same without the reference: those that are compared with it.
 std::vector<int> comparedBackends();
+bool isCompared(int backend);
 #define LINESPACE_TEST_BACKENDS testing::ValuesIn(testBackends())
 
 const char* backendName(int backend);

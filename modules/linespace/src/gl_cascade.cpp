@@ -1,0 +1,447 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// Tables are in the order of stages.hpp, [chord][cell], in words of 32 bits: the votes of consecutive
+// cells share a word, the first in its lowest bits, and a chord has at least one word, so that those
+// of the last table, of one cell, have one each.
+
+#include "gl_cascade.hpp"
+
+#ifdef LINESPACE_OPENGL
+
+#include "gl_maxima.hpp"
+#include "merge_rectangles.hpp"
+
+#include <climits>
+#include <cstring>
+
+namespace cv {
+namespace linespace {
+
+namespace {
+
+int logOf(size_t powerOfTwo)
+{
+    int log = 0;
+    while (((size_t)1 << log) < powerOfTwo)
+        ++log;
+    return log;
+}
+
+//! Words of a chord's votes, or of a pixel's.
+size_t wordsOf(size_t cells, int bytes)
+{
+    return std::max<size_t>(1, cells * bytes / sizeof(uint));
+}
+
+size_t wordsOf(const VoteTable& table)
+{
+    return wordsOf(table.cells, table.depth);
+}
+
+size_t bytesOf(const VoteTable& table)
+{
+    return table.chords * wordsOf(table) * sizeof(uint);
+}
+
+const GlBuffer& bufferOf(const VoteTable& table)
+{
+    return static_cast<const GlBuffer&>(*table.memory);
+}
+
+class OpenGlExecutor : public Executor
+{
+public:
+    OpenGlExecutor() : device_(GlDevice::take()), hasCorners_(false) {}
+    ~OpenGlExecutor()
+    {
+        release();
+        GlDevice::giveBack(device_);
+    }
+
+    int backend() const CV_OVERRIDE { return BACKEND_OPENGL; }
+    bool isUsable() const CV_OVERRIDE { return device_->isForThisThread(); }
+    void begin() CV_OVERRIDE
+    {
+        device_->begin();
+        device_->stamp();
+    }
+    void end() CV_OVERRIDE { device_->end(); }
+    void clear() CV_OVERRIDE { release(); }
+
+    void endStage(const String& name, StageTimes& times) CV_OVERRIDE
+    {
+        device_->stamp();
+        times.end(name);
+    }
+    void settleTimes(StageTimes& times) CV_OVERRIDE { times.correctLast(device_->laps()); }
+
+    void allocate(const Level& level, int depth, VoteTable& table) CV_OVERRIDE
+    {
+        table.setShape(level, depth);
+        const Cell& cell = level.cell;
+        if (table.chords > INT_MAX || (double)table.chords * wordsOf(table) > UINT_MAX)
+            throw DeviceFailure("the frame has too many chords for 32-bit numbers");
+        // Products of crossings and rasters, here and below.
+        asShaderInt(4. * cell.width * cell.height + 4. * std::max(cell.width, cell.height));
+        if (!table.memory)
+            table.memory = makePtr<GlBuffer>();
+        device_->allocate(static_cast<GlBuffer&>(*table.memory), bytesOf(table));
+    }
+
+    void firstCells(const EdgeMap& edges, const Plan& plan, VoteTable& table) CV_OVERRIDE
+    {
+        prepare(plan);
+        bringEdges(edges);
+        if (!hasCorners_)
+            listCorners(plan);
+        const Level& level = plan.level(0);
+        const bool isOriented = edges.isOriented();
+        const size_t words = wordsOf(table.cells, 1),
+                     directionWords = wordsOf(table.cells, sizeof(ushort));
+        gather(plan, image_, words, std::string(), planes_);
+        if (isOriented)
+            gather(plan, directions_, directionWords, define("DIRECTIONS"), directionPlanes_);
+        if (table.depth > 2)
+            throw DeviceFailure("a cell has too many votes for 16-bit numbers");
+        const int lanes = logOf(std::min<size_t>(wordsOf(table), GlDevice::GROUP));
+        forEachPart(
+            table,
+            [&](int first, int count, size_t offset, size_t bytes)
+            {
+                GlLaunch launch(*device_, GL_FIRST_CELLS,
+                                define("PARENT_BITS", 8 * table.depth) +
+                                    (isOriented ? orientedOptions() : std::string()));
+                launch.block(planes_).block(bufferOf(table), offset, bytes);
+                if (isOriented)
+                    launch.block(directionPlanes_);
+                launch.runItems({first, count, level.cell.width, level.cell.height, lanes,
+                                 (int)wordsOf(table), (int)words, (int)directionWords},
+                                (size_t)count << lanes);
+            });
+    }
+
+    void mergeCells(const Plan& plan, int l, const VoteTable& child, VoteTable& parent,
+                    int /*worthless*/) CV_OVERRIDE
+    {
+        const size_t words = wordsOf(parent);
+        // Of the child's votes that come to a word of the parent.
+        const int bits = 8 * child.depth *
+                         (int)std::min<size_t>(parent.cells, sizeof(uint) / parent.depth);
+        Merging merging = {child, parent, std::string(), (int)words,
+                           logOf(std::min<size_t>(words, GlDevice::GROUP)),
+                           bits == 32 ? -1 : (int)((1u << bits) - 1)};
+        merging.options = windowOptions(device_->limits(), bytesOf(child)) +
+                          define("CHILD_BITS", 8 * child.depth) +
+                          define("PARENT_BITS", 8 * parent.depth);
+        const std::vector<MergeRectangle> rectangles = mergeRectangles(plan.merge(l));
+        bool isBeside = false;
+        for (const MergeRectangle& rectangle : rectangles)
+        {
+            mergeRectangle(merging, rectangle, isBeside);
+            isBeside = true; // they read what none of them writes
+        }
+    }
+
+    void exactVotes(const EdgeMap& edges, const Plan& plan, VoteTable& table) CV_OVERRIDE
+    {
+        prepare(plan);
+        bringEdges(edges);
+        forEachPart(table,
+                    [&](int first, int count, size_t offset, size_t bytes)
+                    {
+                        GlLaunch launch(*device_, GL_EXACT, exactOptions(edges));
+                        launch.block(image_).block(bufferOf(table), offset, bytes);
+                        countExactly(edges, plan, launch, first, count);
+                    });
+    }
+
+    bool findMaxima(const EdgeMap& edges, const Plan& plan, const VoteTable& table,
+                    const Wanted& wanted, int radius, int /*ascentRadius*/,
+                    std::vector<Candidate>& found, bool& /*areCounted*/) CV_OVERRIDE
+    {
+        return maxima_.find(*device_, edges, plan, bufferOf(table), wanted, radius, found);
+    }
+
+    void rescore(const EdgeMap& edges, const Plan& plan, const std::vector<Chord>& chords,
+                 std::vector<int>& votes) CV_OVERRIDE
+    {
+        votes.resize(chords.size());
+        if (chords.empty())
+            return;
+        static_assert(sizeof(Chord) == 2 * sizeof(int), "an ivec2 of the device");
+        device_->upload(chords, chords_);
+        device_->allocate(sums_, votes.size() * sizeof(int));
+        const size_t most = device_->limits().blockBytes / sizeof(Chord);
+        for (size_t first = 0; first < chords.size(); first += most)
+        {
+            const size_t count = std::min(most, chords.size() - first);
+            GlLaunch launch(*device_, GL_EXACT, exactOptions(edges) + define("LIST"));
+            launch.block(image_)
+                .block(sums_, first * sizeof(int), count * sizeof(int))
+                .block(chords_, first * sizeof(Chord), count * sizeof(Chord));
+            countExactly(edges, plan, launch, 0, (int)count);
+        }
+        device_->finish();
+        device_->read(sums_, votes.size() * sizeof(int), votes.data());
+    }
+
+    Size textureSize(unsigned int texture) CV_OVERRIDE
+    {
+        if (!device_->isCallers())
+            CV_Error_(Error::StsBadArg, ("texture = %u: no context of OpenGL is current", texture));
+        bool isInteger;
+        return device_->bindTexture(texture, isInteger);
+    }
+
+    void takeTexture(unsigned int texture, bool weighted, const Mat& mask,
+                     Mat& votes) CV_OVERRIDE
+    {
+        bool isInteger;
+        const Size size = device_->bindTexture(texture, isInteger);
+        const int pixels = asShaderInt((double)size.width * size.height + sizeof(uint));
+        device_->allocate(image_, pixels);
+        if (!mask.empty())
+            device_->upload(mask.data, mask.total(), mask_);
+        GlLaunch launch(*device_, GL_TEXTURE,
+                        (isInteger ? define("INTEGER") : std::string()) +
+                            (weighted ? std::string() : define("BINARY")) +
+                            (mask.empty() ? std::string() : define("MASKED")));
+        launch.block(image_);
+        if (!mask.empty())
+            launch.block(mask_);
+        launch.runItems({size.width, size.area()}, (size.area() + sizeof(uint) - 1) / sizeof(uint));
+        // Candidates climb on the host, and lines are refined there.
+        votes.create(size, CV_8UC1);
+        device_->finish();
+        device_->read(image_, size.area(), votes.data);
+    }
+
+    void fetch(VoteTable& table) CV_OVERRIDE
+    {
+        table.buffer.allocate(table.bytes() + VoteTable::PADDING);
+        device_->finish();
+        const size_t used = table.cells * table.depth; // bytes of a chord
+        device_->readParts(bufferOf(table), bytesOf(table),
+                           [&](const void* part, size_t offset, size_t bytes)
+                           {
+                               uchar* const to = table.buffer.data();
+                               if (used >= sizeof(uint))
+                               {
+                                   std::memcpy(to + offset, part, bytes);
+                                   return;
+                               }
+                               const size_t first = offset / sizeof(uint);
+                               const uint* const words = (const uint*)part;
+                               for (size_t i = 0; i < bytes / sizeof(uint); ++i)
+                                   if (used == sizeof(ushort))
+                                       ((ushort*)to)[first + i] = (ushort)words[i];
+                                   else
+                                       to[first + i] = (uchar)words[i];
+                           });
+    }
+
+private:
+    void release()
+    {
+        GlBuffer* const buffers[] = {&corners_, &image_,           &mask_,   &directions_,
+                                     &planes_,  &directionPlanes_, &chords_, &sums_};
+        for (GlBuffer* buffer : buffers)
+            buffer->release();
+        maxima_.release();
+        hasCorners_ = false;
+    }
+
+    //! What the launches of a merge have in common.
+    struct Merging
+    {
+        const VoteTable &child, &parent;
+        std::string options;
+        int words, lanesLog, mask;
+    };
+
+    void mergeRectangle(const Merging& merging, const MergeRectangle& all, bool isBeside)
+    {
+        const VoteTable &child = merging.child, &parent = merging.parent;
+        const size_t bytes = merging.words * sizeof(uint), limit = device_->limits().blockBytes;
+        // As many rows at a time as a block holds, which begins where it may.
+        const size_t slack = device_->limits().alignment, row = all.rowLength * bytes;
+        if (row + slack > limit)
+            throw DeviceFailure("a row of chords is more than a storage block holds");
+        const int most = (int)std::min<size_t>(all.rows, (limit - slack) / row);
+        for (int first = 0; first < all.rows; first += most)
+        {
+            const int rows = std::min(most, all.rows - first);
+            const size_t begin = (all.start + (size_t)first * all.rowLength) * bytes,
+                         end = begin + (rows - 1) * row + all.columns * bytes;
+            // A whole number of chords before it, as both are powers of two.
+            const size_t offset = begin / std::max(slack, bytes) * std::max(slack, bytes);
+            GlLaunch(*device_, GL_MERGE,
+                     merging.options + (all.isCrossing ? define("CROSSING") : std::string()))
+                .windows(bufferOf(child), bytesOf(child))
+                .block(bufferOf(parent), offset, end - offset)
+                .runRows({0,
+                          0,
+                          all.columns,
+                          merging.lanesLog,
+                          logOf(parent.cells),
+                          merging.words,
+                          (int)wordsOf(child),
+                          merging.mask,
+                          (int)((begin - offset) / bytes),
+                          all.rowLength,
+                          all.childS,
+                          (int)(all.partS + first * all.stepS),
+                          (int)all.stepS,
+                          (int)all.sharedS,
+                          (int)all.partE,
+                          (int)all.stepE,
+                          (int)all.sharedE,
+                          all.alongS + first * all.alongStepS,
+                          all.alongStepS,
+                          all.acrossS + first * all.acrossStepS,
+                          all.acrossStepS,
+                          all.alongE,
+                          all.alongStepE,
+                          all.acrossE,
+                          all.acrossStepE},
+                         all.columns << merging.lanesLog, rows, isBeside || first > 0);
+        }
+    }
+
+    //! Calls launch(first chord, number, offset, bytes) for parts of a table that a block can hold.
+    template<class Launch>
+    void forEachPart(const VoteTable& table, Launch launch) const
+    {
+        const size_t bytes = wordsOf(table) * sizeof(uint);
+        size_t most = device_->limits().blockBytes / bytes;
+        // Parts begin where a block may begin.
+        const size_t together = std::max<size_t>(1, device_->limits().alignment / bytes);
+        most = most / together * together;
+        if (most == 0)
+            throw DeviceFailure("the votes of a chord are more than a storage block holds");
+        for (size_t first = 0; first < table.chords; first += most)
+        {
+            const size_t count = std::min(most, table.chords - first);
+            launch((int)first, (int)count, first * bytes, count * bytes);
+        }
+    }
+
+    //! Forgets what is known of another plan.
+    void prepare(const Plan& plan)
+    {
+        const Cell& cell = plan.level(0).cell;
+        const Vec<int, 5> key(plan.imageSize().width, plan.imageSize().height, cell.width,
+                              cell.height, plan.levelCount());
+        if (plan_ == key)
+            return;
+        plan_ = key;
+        hasCorners_ = false;
+    }
+
+    //! Of the cells of level 0 in the order of the table.
+    void listCorners(const Plan& plan)
+    {
+        const Level& level = plan.level(0);
+        std::vector<int> rowBits, columnBits;
+        plan.cellOrder(0, rowBits, columnBits);
+        std::vector<int> corners(2 * level.cellCount());
+        for (int row = 0; row < level.grid.height; ++row)
+            for (int column = 0; column < level.grid.width; ++column)
+            {
+                int* const corner = &corners[2 * (rowBits[row] + columnBits[column])];
+                corner[0] = column * level.cell.width;
+                corner[1] = row * level.cell.height;
+            }
+        device_->upload(corners, corners_);
+        hasCorners_ = true;
+    }
+
+    void bringEdges(const EdgeMap& edges)
+    {
+        if (!edges.isTaken)
+            device_->upload(edges.votes.data, edges.votes.total(), image_);
+        if (!edges.isOriented())
+            return;
+        if (std::max(edges.votes.cols, edges.votes.rows) > SHRT_MAX)
+            throw DeviceFailure("the image is too large for the 32-bit products of directions");
+        device_->upload(edges.directions.data, edges.directions.total() * sizeof(ushort),
+                        directions_);
+    }
+
+    void gather(const Plan& plan, const GlBuffer& from, size_t words, const std::string& options,
+                GlBuffer& planes)
+    {
+        const Level& level = plan.level(0);
+        const size_t pixels = (size_t)level.cell.width * level.cell.height;
+        device_->allocate(planes, pixels * words * sizeof(uint));
+        GlLaunch(*device_, GL_PLANES, options)
+            .block(from)
+            .block(corners_)
+            .block(planes)
+            .runItems({plan.imageSize().width, plan.imageSize().height, level.cell.width,
+                       (int)pixels, (int)level.cellCount(), logOf(words)},
+                      pixels * words);
+    }
+
+    static std::string orientedOptions()
+    {
+        std::string cosines;
+        for (int bin = 0; bin < DIRECTION_BINS; ++bin)
+            cosines += format(bin > 0 ? ", %d" : "%d", endCosine(bin));
+        static_assert(DIRECTION_BINS == 16, "as in chords.glsl");
+        return define("ORIENTED") + "#define END_COSINES " + cosines + "\n";
+    }
+
+    static std::string exactOptions(const EdgeMap& edges)
+    {
+        return edges.isOriented() ? orientedOptions() : std::string();
+    }
+
+    //! After the blocks that all have.
+    void countExactly(const EdgeMap& edges, const Plan& plan, GlLaunch& launch, int first, int count)
+    {
+        if (edges.isOriented())
+            launch.blockAt(3, directions_);
+        const Cell& frame = plan.frame();
+        launch.runItems({first, count, frame.width, frame.height, plan.imageSize().width,
+                         plan.imageSize().height},
+                        count);
+    }
+
+    const Ptr<GlDevice> device_;
+    Vec<int, 5> plan_; //!< what tells plans apart
+    bool hasCorners_;
+    GlBuffer corners_;
+    GlBuffer image_, directions_; //!< the edge map
+    GlBuffer mask_;               //!< of a texture
+    GlBuffer planes_, directionPlanes_;
+    GlBuffer chords_, sums_; //!< of rescore
+    GlMaxima maxima_;
+};
+
+} // namespace
+
+Ptr<Executor> createOpenGlExecutor()
+{
+    return makePtr<OpenGlExecutor>();
+}
+
+} // namespace linespace
+} // namespace cv
+
+#else
+
+namespace cv {
+namespace linespace {
+
+Ptr<Executor> createOpenGlExecutor()
+{
+    throw DeviceFailure("built without OpenGL");
+}
+
+} // namespace linespace
+} // namespace cv
+
+#endif

@@ -1,0 +1,44 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// Candidates in OpenGL, from a table that stays there: what peaks.hpp finds on the host.
+
+#ifndef OPENCV_LINESPACE_GL_MAXIMA_HPP
+#define OPENCV_LINESPACE_GL_MAXIMA_HPP
+
+#include "gl_device.hpp"
+#include "peaks.hpp"
+
+namespace cv {
+namespace linespace {
+
+//! Keeps its buffers between calls.
+class GlMaxima
+{
+public:
+    GlMaxima() : room_(1 << 12) {}
+
+    /** As Executor::findMaxima; finds them in the order (s, e).
+    @param table a word for each chord.
+    @return false if it is asked for those that the requirement of several directions or an interval
+    of angles leaves, or if the table or the maxima are too large for the device's blocks. */
+    bool find(GlDevice& device, const EdgeMap& edges, const Plan& plan, const GlBuffer& table,
+              const Wanted& wanted, int radius, std::vector<Candidate>& found);
+    void release();
+
+private:
+    GlBuffer state_; //!< numbers, histogram and counts of maxima.glsl
+    GlBuffer masks_; //!< which chords of a tile are maxima
+    GlBuffer leastVotes_;
+    GlBuffer maxima_;
+    int room_; //!< for so many, where all are asked for
+};
+
+//! Options of a shader that reads a table of so many bytes at any place, before other blocks.
+std::string windowOptions(const GlLimits& limits, size_t bytes);
+
+} // namespace linespace
+} // namespace cv
+
+#endif // OPENCV_LINESPACE_GL_MAXIMA_HPP

@@ -1,0 +1,89 @@
+// This file is part of the Line Space module for OpenCV.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+// Calls one function some times with BACKEND_OPENGL, for test_launches.py, which reads what the driver
+// says about it:
+//   linespace_gl_calls compute|detect|recount|exact|oriented|weighted|houghlines IMAGE CALLS
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/linespace.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace ls = cv::linespace;
+
+namespace {
+
+void call(const cv::String& function, ls::LineSpaceDetector& detector, const cv::Mat& edges,
+          cv::Mat& output)
+{
+    if (function == "compute")
+        detector.compute(edges, output);
+    else if (function == "houghlines")
+        ls::HoughLines(edges, output, 1, CV_PI / 1800, 120);
+    else if (function == "oriented")
+        detector.detect(edges, cv::noArray(), cv::noArray(), output);
+    else
+        detector.detect(edges, output);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    if (argc != 4)
+    {
+        std::fprintf(stderr, "usage: linespace_gl_calls FUNCTION IMAGE CALLS\n");
+        return 2;
+    }
+    const cv::String function = argv[1];
+    cv::Mat image = cv::imread(argv[2], cv::IMREAD_GRAYSCALE), edges, output;
+    if (image.empty())
+    {
+        std::fprintf(stderr, "%s cannot be read\n", argv[2]);
+        return 2;
+    }
+    if (function == "houghlines")
+    {
+        // Of so many edge pixels that it counts chords first.
+        cv::resize(image, image, cv::Size(400, 300), 0, 0, cv::INTER_AREA);
+        cv::adaptiveThreshold(image, edges, 1, cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY, 5, 0);
+        ls::setDefaultBackend(ls::BACKEND_OPENGL);
+    }
+    else
+    {
+        const cv::Size size = function == "exact" ? cv::Size(100, 80) : cv::Size(640, 480);
+        cv::resize(image, image, size, 0, 0, cv::INTER_AREA);
+        cv::Canny(image, edges, 50, 150);
+    }
+    const cv::Ptr<ls::LineSpaceDetector> detector = ls::LineSpaceDetector::create(
+        edges.rows / 5, 100, function == "exact" ? ls::METHOD_EXACT : ls::METHOD_CASCADED, 8,
+        ls::BACKEND_OPENGL);
+    if (function == "recount")
+        detector->setSuppressionRadius(0); // candidates do not climb: the device counts them again
+    if (function == "weighted")
+    {
+        detector->setEdgeWeights(true);
+        detector->setThreshold(255 * 96);
+    }
+    try
+    {
+        for (int i = 0; i < std::atoi(argv[3]); ++i)
+            call(function, *detector, edges, output);
+    }
+    catch (const cv::Exception& exception)
+    {
+        std::printf("%s\n", exception.err.c_str());
+        return 77;
+    }
+    if (output.empty())
+    {
+        std::printf("nothing was found\n");
+        return 1;
+    }
+    std::printf("%d levels, %d x %d out\n", detector->getLevelCount(), output.cols, output.rows);
+    return 0;
+}

@@ -1,0 +1,153 @@
+# This file is part of the Line Space module for OpenCV.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
+
+"""What OpenGL does, by the account of the driver: Mesa's llvmpipe writes down every call of its own
+interface (GALLIUM_TRACE). What a warm call does is the difference between runs of three and of two
+calls."""
+
+import collections
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = os.environ["LINESPACE_GL_CALLS"]
+PHOTOGRAPH = Path(os.environ["LINESPACE_SAMPLES_DATA"]) / "building.jpg"
+FUNCTIONS = ("compute", "detect", "recount", "exact", "oriented", "weighted", "houghlines")
+
+RECTANGLES = 13  # of a merge, a launch each
+SEARCH = 10      # launches: reset, three searches, two cuts, choose, count, scan, write
+SHORT_SEARCH = 6  # of a table so small that no sample is taken
+
+
+def run(function, calls, **variables):
+    environment = {name: value for name, value in os.environ.items()
+                   if not name.startswith(("LINESPACE_OPENGL", "GALLIUM"))}
+    environment.update(variables)
+    return subprocess.run([PROGRAM, function, str(PHOTOGRAPH), str(calls)], env=environment,
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
+
+
+class Account:
+    """One run of the program."""
+
+    def __init__(self, function, calls, **variables):
+        with tempfile.TemporaryDirectory() as folder:
+            trace = Path(folder) / "trace.xml"
+            done = run(function, calls, GALLIUM_TRACE=str(trace), **variables)
+            if done.returncode != 0:
+                raise RuntimeError(f"{function}: status {done.returncode}: {done.stdout}")
+            self.levels = int(re.search(r"(\d+) levels", done.stdout).group(1))
+            self.calls = collections.Counter(
+                re.findall(r"method='(\w+)'", trace.read_text(errors="replace")))
+
+
+class Launches(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.accounts = {}
+        for function in FUNCTIONS:
+            two, three = Account(function, 2), Account(function, 3)
+            warm = three.calls - two.calls
+            cls.accounts[function] = (two, warm)
+            print(f"{function}: warm call: {warm['launch_grid']} launches, "
+                  f"{warm['create_compute_state']} shaders, {warm['resource_create']} buffers, "
+                  f"{warm['fence_finish']} fences, {warm['buffer_map']} reads")
+
+    def launches(self, function):
+        two, warm = self.accounts[function]
+        self.assertEqual(two.calls["launch_grid"], 2 * warm["launch_grid"], function)
+        return warm["launch_grid"], two.levels - 1
+
+    def test_compute(self):
+        launches, merges = self.launches("compute")
+        self.assertGreater(merges, 8)
+        self.assertEqual(launches, 2 + RECTANGLES * merges)
+
+    def test_detect(self):
+        launches, merges = self.launches("detect")
+        self.assertEqual(launches, 2 + RECTANGLES * merges + SEARCH)
+        launches, merges = self.launches("weighted")
+        self.assertEqual(launches, 2 + RECTANGLES * merges + SEARCH)
+
+    def test_directions_have_planes_of_their_own(self):
+        launches, merges = self.launches("oriented")
+        self.assertEqual(launches, 3 + RECTANGLES * merges + SEARCH)
+
+    def test_candidates_that_are_counted_again(self):
+        launches, merges = self.launches("recount")
+        self.assertEqual(launches, 2 + RECTANGLES * merges + SEARCH + 1)
+
+    def test_the_exact_method(self):
+        launches, _ = self.launches("exact")
+        self.assertEqual(launches, 1 + SHORT_SEARCH)
+
+    def test_the_drop_in(self):
+        launches, _ = self.launches("houghlines")
+        self.assertEqual((launches - 2) % RECTANGLES, 0)
+        self.assertGreater(launches, 100)
+
+    def test_a_warm_call_compiles_and_allocates_nothing(self):
+        for function in FUNCTIONS:
+            with self.subTest(function):
+                two, warm = self.accounts[function]
+                self.assertGreater(two.calls["create_compute_state"], 1)
+                self.assertEqual(warm["create_compute_state"], 0)
+                if function != "houghlines":  # which keeps no buffers
+                    self.assertGreater(two.calls["resource_create"], 2)
+                    self.assertEqual(warm["resource_create"], 0)
+                self.assertEqual(warm["context_create"], 0)
+
+    def test_a_warm_call_waits_once_for_each_result(self):
+        for function in FUNCTIONS:
+            with self.subTest(function):
+                warm = self.accounts[function][1]
+                self.assertEqual(warm["fence_finish"], 2 if function == "recount" else 1)
+
+    def test_a_warm_detect_reads_twice(self):
+        # How many candidates there are, and those; and what they have when they are counted again.
+        for function in ("detect", "exact", "oriented", "weighted"):
+            self.assertEqual(self.accounts[function][1]["buffer_map"], 2, function)
+        self.assertEqual(self.accounts["recount"][1]["buffer_map"], 3)
+
+    def test_opengl_es_launches_the_same(self):
+        es = Account("detect", 2, LINESPACE_OPENGL_API="es")
+        self.assertEqual(es.calls["launch_grid"],
+                         self.accounts["detect"][0].calls["launch_grid"])
+
+
+class WithoutOpenGl(unittest.TestCase):
+    LIBRARY = "libEGL-that-is-not-there.so.1"
+
+    def test_a_named_back_end_says_what_is_missing(self):
+        done = run("detect", 1, LINESPACE_EGL_LIBRARY=self.LIBRARY)
+        print(done.stdout.strip())
+        self.assertEqual(done.returncode, 77, done.stdout)
+        self.assertIn("BACKEND_OPENGL", done.stdout)
+        self.assertIn(self.LIBRARY, done.stdout)
+
+    def test_the_default_back_end_gives_way(self):
+        done = run("houghlines", 1, LINESPACE_EGL_LIBRARY=self.LIBRARY)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertEqual(done.stdout, run("houghlines", 1).stdout)
+
+    def test_the_library_needs_no_opengl(self):
+        """The library itself: OpenCV's may."""
+        maps = subprocess.run(["ldd", PROGRAM], stdout=subprocess.PIPE, text=True, check=True).stdout
+        library = re.search(r"libopencv_linespace\.so\S* => (\S+)", maps).group(1)
+        needed = subprocess.run(["readelf", "-d", library], stdout=subprocess.PIPE, text=True,
+                                check=True).stdout
+        print(re.findall(r"NEEDED.*\[(.*)\]", needed))
+        self.assertNotRegex(needed, r"NEEDED.*\[lib(E?GL|GLES|epoxy|OpenGL)")
+
+
+if __name__ == "__main__":
+    probe = run("compute", 1)
+    if probe.returncode == 77:
+        print("SKIPPED: " + probe.stdout.strip())
+        sys.exit(1 if os.environ.get("LINESPACE_REQUIRE_BACKENDS") == "1" else 77)
+    unittest.main()
