@@ -63,7 +63,7 @@ int main(int argc, char** argv)
         edges.rows / 5, 100, function == "exact" ? ls::METHOD_EXACT : ls::METHOD_CASCADED, 8,
         ls::BACKEND_OPENGL);
     if (function == "recount")
-        detector->setSuppressionRadius(0); // candidates do not climb: the device counts them again
+        detector->setSuppressionRadius(0); // candidates do not climb
     if (function == "weighted")
     {
         detector->setEdgeWeights(true);

@@ -22,7 +22,8 @@ SMALL_BLOCKS = {"LINESPACE_OPENGL_LIMITS": "262144"}
 
 # What each program of src/glsl is known by, and how many variants there are at least.
 PROGRAMS = {"Planes { uint planes": 3, "buffer Parent": 8, "Votes { uint votes": 4,
-            "buffer State": 12, "highp usampler2D texels": 6}
+            "buffer State": 12, "highp usampler2D texels": 6, "writeonly buffer Bits": 1,
+            "buffer Listed": 6, "buffer Candidates": 10}
 
 
 def sources(**variables):

@@ -10,6 +10,7 @@
 
 #ifdef LINESPACE_OPENGL
 
+#include "gl_ascent.hpp"
 #include "gl_maxima.hpp"
 #include "merge_rectangles.hpp"
 
@@ -93,7 +94,7 @@ public:
     void firstCells(const EdgeMap& edges, const Plan& plan, VoteTable& table) CV_OVERRIDE
     {
         prepare(plan);
-        bringEdges(edges);
+        bringEdges(edges, plan);
         if (!hasCorners_)
             listCorners(plan);
         const Level& level = plan.level(0);
@@ -147,22 +148,39 @@ public:
     void exactVotes(const EdgeMap& edges, const Plan& plan, VoteTable& table) CV_OVERRIDE
     {
         prepare(plan);
-        bringEdges(edges);
+        bringEdges(edges, plan);
+        const GlPixels pixels = pixelsOf(edges, plan);
         forEachPart(table,
                     [&](int first, int count, size_t offset, size_t bytes)
                     {
-                        GlLaunch launch(*device_, GL_EXACT, exactOptions(edges));
-                        launch.block(image_).block(bufferOf(table), offset, bytes);
-                        countExactly(edges, plan, launch, first, count);
+                        GlLaunch launch(*device_, GL_EXACT, pixels.options(EXACT_MAP));
+                        launch.block(bufferOf(table), offset, bytes);
+                        pixels.giveTo(launch, EXACT_MAP);
+                        launch.runItems(pixels.numbers({first, count}), count);
                     });
     }
 
     bool findMaxima(const EdgeMap& edges, const Plan& plan, const VoteTable& table,
-                    const Wanted& wanted, int radius, int /*ascentRadius*/,
-                    std::vector<Candidate>& found, bool& /*areCounted*/) CV_OVERRIDE
+                    const Wanted& wanted, int radius, int ascentRadius,
+                    std::vector<Candidate>& found, bool& areCounted) CV_OVERRIDE
     {
-        return maxima_.find(*device_, edges, plan, bufferOf(table), wanted, radius, found);
+        bool isDone = false;
+        const auto count = [&](const GlBuffer& candidates, int room)
+        {
+            // Now, as the wait for the candidates is one for the bits as well.
+            if (readsBits(edges))
+                ascent_.pack(*device_);
+            if (ascentRadius >= 0)
+                isDone = ascent_.count(*device_, ascentRadius, candidates, room);
+        };
+        if (!maxima_.find(*device_, edges, plan, bufferOf(table), wanted, radius, count, found))
+            return false;
+        areCounted = areCounted || isDone;
+        return true;
     }
+
+    bool readsBits(const EdgeMap& edges) const CV_OVERRIDE { return !edges.isOriented(); }
+    void readBits(EdgeBits& bits) CV_OVERRIDE { ascent_.readBits(*device_, bits); }
 
     void rescore(const EdgeMap& edges, const Plan& plan, const std::vector<Chord>& chords,
                  std::vector<int>& votes) CV_OVERRIDE
@@ -173,15 +191,16 @@ public:
         static_assert(sizeof(Chord) == 2 * sizeof(int), "an ivec2 of the device");
         device_->upload(chords, chords_);
         device_->allocate(sums_, votes.size() * sizeof(int));
+        const GlPixels pixels = pixelsOf(edges, plan);
         const size_t most = device_->limits().blockBytes / sizeof(Chord);
         for (size_t first = 0; first < chords.size(); first += most)
         {
             const size_t count = std::min(most, chords.size() - first);
-            GlLaunch launch(*device_, GL_EXACT, exactOptions(edges) + define("LIST"));
-            launch.block(image_)
-                .block(sums_, first * sizeof(int), count * sizeof(int))
+            GlLaunch launch(*device_, GL_EXACT, pixels.options(EXACT_MAP) + define("LIST"));
+            launch.block(sums_, first * sizeof(int), count * sizeof(int))
                 .block(chords_, first * sizeof(Chord), count * sizeof(Chord));
-            countExactly(edges, plan, launch, 0, (int)count);
+            pixels.giveTo(launch, EXACT_MAP);
+            launch.runItems(pixels.numbers({0, (int)count}), count);
         }
         device_->finish();
         device_->read(sums_, votes.size() * sizeof(int), votes.data());
@@ -250,8 +269,14 @@ private:
         for (GlBuffer* buffer : buffers)
             buffer->release();
         maxima_.release();
+        ascent_.release();
         hasCorners_ = false;
     }
+
+    enum
+    {
+        EXACT_MAP = 2 //!< where exact.glsl has the map
+    };
 
     //! What the launches of a merge have in common.
     struct Merging
@@ -358,8 +383,9 @@ private:
         hasCorners_ = true;
     }
 
-    void bringEdges(const EdgeMap& edges)
+    void bringEdges(const EdgeMap& edges, const Plan& plan)
     {
+        ascent_.reset(pixelsOf(edges, plan), edges.weighted);
         if (!edges.isTaken)
             device_->upload(edges.votes.data, edges.votes.total(), image_);
         if (!edges.isOriented())
@@ -385,29 +411,15 @@ private:
                       pixels * words);
     }
 
-    static std::string orientedOptions()
+    //! The edge map, where the device has it.
+    GlPixels pixelsOf(const EdgeMap& edges, const Plan& plan) const
     {
-        std::string cosines;
-        for (int bin = 0; bin < DIRECTION_BINS; ++bin)
-            cosines += format(bin > 0 ? ", %d" : "%d", endCosine(bin));
-        static_assert(DIRECTION_BINS == 16, "as in chords.glsl");
-        return define("ORIENTED") + "#define END_COSINES " + cosines + "\n";
-    }
-
-    static std::string exactOptions(const EdgeMap& edges)
-    {
-        return edges.isOriented() ? orientedOptions() : std::string();
-    }
-
-    //! After the blocks that all have.
-    void countExactly(const EdgeMap& edges, const Plan& plan, GlLaunch& launch, int first, int count)
-    {
-        if (edges.isOriented())
-            launch.blockAt(3, directions_);
-        const Cell& frame = plan.frame();
-        launch.runItems({first, count, frame.width, frame.height, plan.imageSize().width,
-                         plan.imageSize().height},
-                        count);
+        GlPixels pixels;
+        pixels.image = &image_;
+        pixels.directions = edges.isOriented() ? &directions_ : 0;
+        pixels.size = plan.imageSize();
+        pixels.frame = plan.frame();
+        return pixels;
     }
 
     const Ptr<GlDevice> device_;
@@ -419,6 +431,7 @@ private:
     GlBuffer planes_, directionPlanes_;
     GlBuffer chords_, sums_; //!< of rescore
     GlMaxima maxima_;
+    GlAscent ascent_;
 };
 
 } // namespace

@@ -87,9 +87,11 @@ const char* sourceOf(GlProgram program)
     case GL_PLANES: return planes_glsl;
     case GL_FIRST_CELLS: return first_cells_glsl;
     case GL_MERGE: return merge_glsl;
-    case GL_EXACT: return exact_glsl;
     case GL_MAXIMA: return maxima_glsl;
-    default: return texture_glsl;
+    case GL_TEXTURE: return texture_glsl;
+    case GL_EXACT: return exact_glsl;
+    case GL_BITS: return bits_glsl;
+    default: return ascent_glsl;
     }
 }
 
@@ -113,8 +115,8 @@ void GlBuffer::release()
 }
 
 GlDevice::GlDevice(GlContext&& context)
-    : context_(std::move(context)), isEmbedded_(false), isLost_(false), mark_(0), sampler_(0),
-      stamps_(0)
+    : context_(std::move(context)), isEmbedded_(false), isLost_(false), isBusy_(false),
+      mark_(0), sampler_(0), stamps_(0)
 {
     binding_.reset(new GlBinding(context_));
     gl_.load(context_.functions());
@@ -496,6 +498,8 @@ std::vector<double> GlDevice::laps()
 
 void GlDevice::finish()
 {
+    if (!isBusy_)
+        return;
     call("glMemoryBarrier", gl_.MemoryBarrier, gl::BUFFER_UPDATE_BARRIER_BIT);
     const gl::GLsync fence =
         call("glFenceSync", gl_.FenceSync, gl::SYNC_GPU_COMMANDS_COMPLETE, 0u);
@@ -508,6 +512,7 @@ void GlDevice::finish()
     call("glDeleteSync", gl_.DeleteSync, fence);
     if (state == gl::WAIT_FAILED)
         throw DeviceFailure("glClientWaitSync failed");
+    isBusy_ = false;
 }
 
 const void* GlDevice::map(const GlBuffer& buffer, size_t offset, size_t bytes)
@@ -552,9 +557,9 @@ gl::GLuint GlDevice::compiled(GlProgram source, const std::string& options)
                              define("GROUP", GROUP) + define("NUMBERS", NUMBERS) + options;
     const bool hasWindows = options.find("WINDOWS") != std::string::npos;
     const char* const texts[] = {head.c_str(), chords_glsl, hasWindows ? windows_glsl : "",
-                                 sourceOf(source)};
+                                 source >= GL_EXACT ? pixels_glsl : "", sourceOf(source)};
     const gl::GLuint shader = call("glCreateShader", gl_.CreateShader, gl::COMPUTE_SHADER);
-    call("glShaderSource", gl_.ShaderSource, shader, 4, texts, (const gl::GLint*)0);
+    call("glShaderSource", gl_.ShaderSource, shader, 5, texts, (const gl::GLint*)0);
     call("glCompileShader", gl_.CompileShader, shader);
     gl::GLint done = 0;
     char log[2048] = "";
@@ -637,6 +642,7 @@ void GlLaunch::queue(const std::vector<int>& numbers, unsigned columns, unsigned
         device_.call("glMemoryBarrier", gl.MemoryBarrier, gl::SHADER_STORAGE_BARRIER_BIT);
     device_.call("glUniform1iv", gl.Uniform1iv, 0, (gl::GLsizei)numbers.size(), numbers.data());
     device_.call("glDispatchCompute", gl.DispatchCompute, columns, rows, 1u);
+    device_.isBusy_ = true;
 }
 
 std::string define(const char* name, int value)

@@ -55,15 +55,18 @@ struct GlLimits
     size_t alignment;  //!< of where a block begins in a buffer
 };
 
-//! The programs of glsl/, each after chords.glsl, which all use.
+//! The programs of glsl/, each after chords.glsl, which all use; from GL_EXACT on after pixels.glsl
+//! as well.
 enum GlProgram
 {
     GL_PLANES,
     GL_FIRST_CELLS,
     GL_MERGE,
-    GL_EXACT,
     GL_MAXIMA,
-    GL_TEXTURE
+    GL_TEXTURE,
+    GL_EXACT,
+    GL_BITS,
+    GL_ASCENT
 };
 
 class GlDevice : public std::enable_shared_from_this<GlDevice>
@@ -107,7 +110,7 @@ public:
     //! After finish(): milliseconds between one stamp and the next, since begin().
     std::vector<double> laps();
 
-    //! Waits for the device.
+    //! Waits for the device, if it was given something to do since the last time.
     void finish();
     //! After finish(): reads what is there.
     void read(const GlBuffer& buffer, size_t bytes, void* to);
@@ -178,6 +181,7 @@ private:
     gl::Functions gl_;
     bool isEmbedded_;
     bool isLost_; //!< the caller has destroyed the context
+    bool isBusy_; //!< with launches, as far as is known
     GlLimits limits_;
     std::map<std::pair<int, std::string>, gl::GLuint> programs_;
     gl::GLuint mark_, sampler_;
@@ -206,8 +210,12 @@ public:
     //! One that is not the next.
     GlLaunch& blockAt(unsigned index, const GlBuffer& buffer)
     {
+        return blockAt(index, buffer, buffer.bytes());
+    }
+    GlLaunch& blockAt(unsigned index, const GlBuffer& buffer, size_t bytes)
+    {
         next_ = index;
-        return block(buffer);
+        return block(buffer, 0, bytes);
     }
     //! The next blocks, parts of one buffer that are as large as a block can be, but for the last.
     GlLaunch& windows(const GlBuffer& buffer, size_t bytes);

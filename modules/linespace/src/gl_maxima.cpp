@@ -41,7 +41,9 @@ void GlMaxima::release()
 }
 
 bool GlMaxima::find(GlDevice& device, const EdgeMap& edges, const Plan& plan, const GlBuffer& table,
-                    const Wanted& wanted, int radius, std::vector<Candidate>& found)
+                    const Wanted& wanted, int radius,
+                    const std::function<void(const GlBuffer&, int)>& count,
+                    std::vector<Candidate>& found)
 {
     const Cell& frame = plan.frame();
     const Size image = plan.imageSize();
@@ -126,16 +128,17 @@ bool GlMaxima::find(GlDevice& device, const EdgeMap& edges, const Plan& plan, co
             .block(masks_)
             .block(maxima_)
             .run(numbers(room, 0, 0), tiles);
+        count(maxima_, room);
         device.finish();
         Candidate head;
         device.read(maxima_, THREE, &head);
-        const int count = head.votes;
-        if (count > room)
+        const int there = head.votes;
+        if (there > room)
         {
-            room_ = count;
+            room_ = there;
             continue;
         }
-        found.resize(1 + (size_t)count);
+        found.resize(1 + (size_t)there);
         device.read(maxima_, found.size() * THREE, found.data());
         found.erase(found.begin());
         return true;

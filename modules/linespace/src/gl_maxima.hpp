@@ -10,6 +10,8 @@
 #include "gl_device.hpp"
 #include "peaks.hpp"
 
+#include <functional>
+
 namespace cv {
 namespace linespace {
 
@@ -21,10 +23,13 @@ public:
 
     /** As Executor::findMaxima; finds them in the order (s, e).
     @param table a word for each chord.
+    @param count queues what is done with the candidates, buffer and room, before they are read.
     @return false if it is asked for those that the requirement of several directions or an interval
     of angles leaves, or if the table or the maxima are too large for the device's blocks. */
     bool find(GlDevice& device, const EdgeMap& edges, const Plan& plan, const GlBuffer& table,
-              const Wanted& wanted, int radius, std::vector<Candidate>& found);
+              const Wanted& wanted, int radius,
+              const std::function<void(const GlBuffer&, int)>& count,
+              std::vector<Candidate>& found);
     void release();
 
 private:

@@ -200,6 +200,10 @@ public:
         return maxima_.find(edges, plan, table, wanted, radius, count, found);
     }
 
+    bool readsBits(const EdgeMap& edges) const CV_OVERRIDE
+    {
+        return !edges.source.empty() && !edges.isOriented();
+    }
     void readBits(EdgeBits& bits) CV_OVERRIDE { ascent_.readBits(bits); }
 
     void rescore(const EdgeMap& edges, const Plan& plan, const std::vector<Chord>& chords,

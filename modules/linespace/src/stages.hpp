@@ -179,7 +179,9 @@ public:
         return false;
     }
 
-    //! Reads the edge pixels of the map that was counted last, if it takesUMats(), whatever their weights.
+    //! Whether readBits() works for a map, and spares the host what it is read for.
+    virtual bool readsBits(const EdgeMap&) const { return false; }
+    //! Reads the edge pixels of the map that was counted last, whatever their weights.
     virtual void readBits(EdgeBits& /*bits*/) {}
 
     //! The size of a texture of OpenGL. Throws cv::Exception if it is none of those that detectTexture
