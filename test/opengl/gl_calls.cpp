@@ -4,7 +4,9 @@
 
 // Calls one function some times with BACKEND_OPENGL, for test_launches.py, which reads what the driver
 // says about it:
-//   linespace_gl_calls compute|detect|recount|exact|oriented|weighted|houghlines IMAGE CALLS
+//   linespace_gl_calls compute|detect|recount|exact|oriented|weighted|houghlines|texture IMAGE CALLS
+
+#include "test_gl.hpp"
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -12,18 +14,21 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 
 namespace ls = cv::linespace;
 
 namespace {
 
 void call(const cv::String& function, ls::LineSpaceDetector& detector, const cv::Mat& edges,
-          cv::Mat& output)
+          unsigned int texture, cv::Mat& output)
 {
     if (function == "compute")
         detector.compute(edges, output);
     else if (function == "houghlines")
         ls::HoughLines(edges, output, 1, CV_PI / 1800, 120);
+    else if (function == "texture")
+        detector.detectTexture(texture, output);
     else if (function == "oriented")
         detector.detect(edges, cv::noArray(), cv::noArray(), output);
     else
@@ -71,8 +76,15 @@ int main(int argc, char** argv)
     }
     try
     {
+        std::unique_ptr<opencv_test::TestContext> context;
+        unsigned int texture = 0;
+        if (function == "texture")
+        {
+            context.reset(new opencv_test::TestContext);
+            texture = context->textureOf(edges, true);
+        }
         for (int i = 0; i < std::atoi(argv[3]); ++i)
-            call(function, *detector, edges, output);
+            call(function, *detector, edges, texture, output);
     }
     catch (const cv::Exception& exception)
     {

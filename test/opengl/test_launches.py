@@ -17,7 +17,9 @@ from pathlib import Path
 
 PROGRAM = os.environ["LINESPACE_GL_CALLS"]
 PHOTOGRAPH = Path(os.environ["LINESPACE_SAMPLES_DATA"]) / "building.jpg"
-FUNCTIONS = ("compute", "detect", "recount", "exact", "oriented", "weighted", "houghlines")
+FUNCTIONS = ("compute", "detect", "recount", "exact", "oriented", "weighted", "houghlines",
+             "texture")
+PIXELS = 640 * 480
 
 RECTANGLES = 13  # of a merge, a launch each
 SEARCH = 10      # launches: reset, three searches, two cuts, choose, count, scan, write
@@ -44,21 +46,26 @@ class Account:
             if done.returncode != 0:
                 raise RuntimeError(f"{function}: status {done.returncode}: {done.stdout}")
             self.levels = int(re.search(r"(\d+) levels", done.stdout).group(1))
-            self.calls = collections.Counter(
-                re.findall(r"method='(\w+)'", trace.read_text(errors="replace")))
+            text = trace.read_text(errors="replace")
+            self.calls = collections.Counter(re.findall(r"method='(\w+)'", text))
+            # Bytes of each.
+            self.reads = [int(re.search(r"name='width'><int>(\d+)", read).group(1)) for read in
+                          re.findall(r"(?s)method='buffer_map'>(.*?)</call>", text)]
 
 
 class Launches(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.accounts = {}
+        cls.accounts, cls.reads = {}, {}
         for function in FUNCTIONS:
             two, three = Account(function, 2), Account(function, 3)
             warm = three.calls - two.calls
+            warm_reads = three.reads[len(two.reads):]
             cls.accounts[function] = (two, warm)
+            cls.reads[function] = warm_reads
             print(f"{function}: warm call: {warm['launch_grid']} launches, "
                   f"{warm['create_compute_state']} shaders, {warm['resource_create']} buffers, "
-                  f"{warm['fence_finish']} fences, {warm['buffer_map']} reads")
+                  f"{warm['fence_finish']} fences, reads of {warm_reads} bytes")
 
     def launches(self, function):
         two, warm = self.accounts[function]
@@ -108,10 +115,21 @@ class Launches(unittest.TestCase):
             with self.subTest(function):
                 self.assertEqual(self.accounts[function][1]["fence_finish"], 1)
 
-    def test_a_warm_detect_reads_twice(self):
-        # How many candidates there are, and those.
-        for function in ("detect", "recount", "exact", "oriented", "weighted"):
-            self.assertEqual(self.accounts[function][1]["buffer_map"], 2, function)
+    def test_a_warm_detect_reads_candidates_and_bits(self):
+        # How many candidates there are, those, and the pixels as bits, but of a map with directions,
+        # which the host has.
+        for function in ("detect", "recount", "exact", "weighted"):
+            self.assertEqual(len(self.reads[function]), 3, function)
+        self.assertEqual(len(self.reads["oriented"]), 2)
+
+    def test_the_pixels_of_a_texture_stay_where_they_are(self):
+        launches, merges = self.launches("texture")
+        self.assertEqual(launches, 1 + 2 + RECTANGLES * merges + SEARCH + BITS + ASCENT)
+        # And what the library has put into the context, by which it knows it again.
+        mark, *reads = self.reads["texture"]
+        self.assertLess(mark, 100)
+        self.assertEqual(len([read for read in reads if read > 100]), 2)
+        self.assertLess(max(reads), PIXELS / 3)
 
     def test_opengl_es_launches_the_same(self):
         es = Account("detect", 2, LINESPACE_OPENGL_API="es")

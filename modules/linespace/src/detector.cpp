@@ -402,10 +402,15 @@ private:
     }
 
     //! Brings the edge map to the host, if it is not there.
-    void readEdges(const Input& input, EdgeMap& edges, StageTimes& times)
+    void readEdges(const Input& input, EdgeMap& edges, const Executor& executor, Counting& counting)
     {
         if (!edges.votes.empty())
             return;
+        if (edges.isTaken)
+        {
+            readTaken(edges, executor, counting);
+            return;
+        }
         const Gradients& gradients = input.gradients;
         edges.votes = votingPixels(input.edges.getMat());
         if (gradients.isOriented)
@@ -417,7 +422,21 @@ private:
             edges.dx = gradients.dx;
             edges.dy = gradients.dy;
         }
-        times.end("edge map");
+        counting.times.end("edge map");
+    }
+
+    //! From the executor that took the map, which is not at work if another one is in its place.
+    void readTaken(EdgeMap& edges, const Executor& executor, const Counting& counting)
+    {
+        Executor& taker = *counting.executor;
+        if (&taker == &executor)
+            taker.readTaken(images_.votes);
+        else
+        {
+            const WorkingTime time(taker);
+            taker.readTaken(images_.votes);
+        }
+        edges.votes = images_.votes;
     }
 
     void detectTaken(unsigned int texture, Size size, EdgeMap& map, Counting& counting,
@@ -427,9 +446,8 @@ private:
         prepare("texture", size, none, -1, false, map, counting);
         {
             const WorkingTime time(*counting.executor);
-            counting.executor->takeTexture(texture, map.weighted, mask_, images_.votes);
+            counting.executor->takeTexture(texture, map.weighted, mask_);
         }
-        map.votes = images_.votes;
         map.isTaken = true;
         counting.times.end("edge map");
         std::vector<Vec3f> found, deviations;
@@ -500,8 +518,8 @@ private:
         runWith(edges.isUMat(), counting,
                 [&](Executor& executor)
                 {
-                    if (map.source.empty() || !executor.takesUMats())
-                        readEdges(input, map, counting.times);
+                    if (!isOnDevice(map, executor, counting))
+                        readEdges(input, map, executor, counting);
                     countVotes(executor, map, plan, parameters_.method == METHOD_EXACT, l, tables_,
                                counting.times);
                     write(executor, plan, l, out);
@@ -544,19 +562,32 @@ private:
         return significance(edges, pixels, plan, parameters_.falseAlarms);
     }
 
-    /** Whether lines can be found without the edge map on the host: the device counts all that is asked
-    for, and the refinement has the pixels as bits. */
+    //! Whether the executor needs no votes on the host.
+    static bool isOnDevice(const EdgeMap& edges, const Executor& executor, const Counting& counting)
+    {
+        return (!edges.source.empty() && executor.takesUMats()) ||
+               (edges.isTaken && &executor == counting.executor.get());
+    }
+
+    /** Whether lines can be found without planes on the host: the device counts all that is asked for,
+    and the refinement has the pixels as bits. */
     bool staysOnDevice(const Input& input, const EdgeMap& edges, const Executor& executor) const
     {
-        return !edges.source.empty() && executor.takesUMats() && !input.gradients.isOriented &&
+        return executor.readsBits(edges) && !input.gradients.isOriented &&
                parameters_.selection != SELECT_EXPLAIN &&
-               (parameters_.threshold > 0 || (mask_.empty() && !parameters_.edgeWeights));
+               (parameters_.threshold > 0 || !parameters_.edgeWeights);
+    }
+
+    //! Whether the host counts the pixels that vote, and not OpenCV, where it has the image.
+    bool countsPixels(const EdgeMap& edges) const
+    {
+        return parameters_.threshold == 0 && (edges.source.empty() || !mask_.empty());
     }
 
     //! Copies of the edge map for all that counts and refines on the host.
-    void readPlanes(const Input& input, EdgeMap& edges, Counting& counting)
+    void readPlanes(const Input& input, EdgeMap& edges, const Executor& executor, Counting& counting)
     {
-        readEdges(input, edges, counting.times);
+        readEdges(input, edges, executor, counting);
         planes_.reset(edges, counting.plan->frame());
     }
 
@@ -568,9 +599,9 @@ private:
         runWith(input.edges.isUMat(), counting,
                 [&](Executor& executor)
                 {
-                    const bool stays = staysOnDevice(input, edges, executor);
-                    if (!stays)
-                        readEdges(input, edges, counting.times);
+                    bool stays = staysOnDevice(input, edges, executor);
+                    if (!stays || !isOnDevice(edges, executor, counting) || countsPixels(edges))
+                        readEdges(input, edges, executor, counting);
                     const Requirement requirement = requirementFor(edges, plan);
                     if (requirement.threshold == INT_MAX)
                         return;
@@ -579,14 +610,17 @@ private:
                                counting.level, tables_, counting.times,
                                parameters_.pruning ? candidateThreshold(requirement) : -1);
                     if (!stays) // a device is still counting
-                        readPlanes(input, edges, counting);
+                        readPlanes(input, edges, executor, counting);
                     bool areCounted = parameters_.method == METHOD_EXACT;
                     std::vector<Candidate> candidates =
                         candidatesFor(executor, edges, requirement, angles, counting, areCounted);
                     if (!areCounted)
                     {
-                        if (stays)
-                            readPlanes(input, edges, counting);
+                        if (stays && ascentRadius() > 0)
+                        {
+                            readPlanes(input, edges, executor, counting);
+                            stays = false;
+                        }
                         recount(edges, plan, executor, candidates);
                         counting.times.end("ascent");
                     }

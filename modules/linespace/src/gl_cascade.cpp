@@ -214,11 +214,10 @@ public:
         return device_->bindTexture(texture, isInteger);
     }
 
-    void takeTexture(unsigned int texture, bool weighted, const Mat& mask,
-                     Mat& votes) CV_OVERRIDE
+    void takeTexture(unsigned int texture, bool weighted, const Mat& mask) CV_OVERRIDE
     {
         bool isInteger;
-        const Size size = device_->bindTexture(texture, isInteger);
+        const Size size = taken_ = device_->bindTexture(texture, isInteger);
         const int pixels = asShaderInt((double)size.width * size.height + sizeof(uint));
         device_->allocate(image_, pixels);
         if (!mask.empty())
@@ -231,10 +230,13 @@ public:
         if (!mask.empty())
             launch.block(mask_);
         launch.runItems({size.width, size.area()}, (size.area() + sizeof(uint) - 1) / sizeof(uint));
-        // Candidates climb on the host, and lines are refined there.
-        votes.create(size, CV_8UC1);
+    }
+
+    void readTaken(Mat& votes) CV_OVERRIDE
+    {
+        votes.create(taken_, CV_8UC1);
         device_->finish();
-        device_->read(image_, size.area(), votes.data);
+        device_->read(image_, votes.total(), votes.data);
     }
 
     void fetch(VoteTable& table) CV_OVERRIDE
@@ -428,6 +430,7 @@ private:
     GlBuffer corners_;
     GlBuffer image_, directions_; //!< the edge map
     GlBuffer mask_;               //!< of a texture
+    Size taken_;                  //!< that of the texture
     GlBuffer planes_, directionPlanes_;
     GlBuffer chords_, sums_; //!< of rescore
     GlMaxima maxima_;

@@ -75,7 +75,7 @@ struct VoteTable
 /** What votes: CV_8UC1 of the size of the image, continuous; 0 or 1, with weights 0 to 255. */
 struct EdgeMap
 {
-    //! May be empty if the source is not, for an executor that takes UMats.
+    //! May be empty if the source is not, for an executor that takes UMats, or if isTaken.
     Mat votes;
     //! The image and the mask that the votes come from, on OpenCV's device. The image is empty if it
     //! is not there, the mask if there is none.
@@ -188,12 +188,10 @@ public:
     //! takes.
     virtual Size textureSize(unsigned int /*texture*/) { return Size(); }
 
-    /** Takes what votes from a texture of that size, as EdgeMap::votes, which are written as well;
-    `mask` may be empty. */
-    virtual void takeTexture(unsigned int /*texture*/, bool /*weighted*/, const Mat& /*mask*/,
-                             Mat& /*votes*/)
-    {
-    }
+    //! Takes what votes from a texture, as EdgeMap::votes; `mask` may be empty.
+    virtual void takeTexture(unsigned int /*texture*/, bool /*weighted*/, const Mat& /*mask*/) {}
+    //! Reads what it took last.
+    virtual void readTaken(Mat& /*votes*/) {}
 
     //! Writes a level's table as LineSpaceDetector::computeLevel does, to CV_32SC1 of that size.
     virtual void writeTable(const Plan&, int /*level*/, const VoteTable&, const UMat& /*out*/) {}

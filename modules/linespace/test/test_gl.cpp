@@ -2,8 +2,6 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-#include "test_precomp.hpp"
-
 #include "test_gl.hpp"
 
 #include <stdexcept>
@@ -113,11 +111,11 @@ void* TestContext::current()
     return egl().getCurrentContext();
 }
 
-unsigned int TestContext::textureOf(const Mat& image, bool isInteger) const
+unsigned int TestContext::textureOf(const cv::Mat& image, bool isInteger) const
 {
     using namespace cv::linespace::gl;
     const GLenum unpackAlignment = 0x0CF5, red = 0x1903, redInteger = 0x8D94, bytes = 0x1401;
-    const Mat continuous = image.clone();
+    const cv::Mat continuous = image.clone();
     GLuint texture = 0;
     gl_.GenTextures(1, &texture);
     gl_.BindTexture(TEXTURE_2D, texture);

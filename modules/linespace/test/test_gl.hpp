@@ -3,7 +3,7 @@
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
 // A context of OpenGL of the tests' own, as an application has one: EGL without a window, loaded at
-// run time.
+// run time. Programs without OpenCV's test module use it as well.
 
 #ifndef OPENCV_LINESPACE_TEST_GL_HPP
 #define OPENCV_LINESPACE_TEST_GL_HPP
