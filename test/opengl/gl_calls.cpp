@@ -4,7 +4,8 @@
 
 // Calls one function some times with BACKEND_OPENGL, for test_launches.py, which reads what the driver
 // says about it:
-//   linespace_gl_calls compute|detect|recount|exact|oriented|weighted|houghlines|texture IMAGE CALLS
+//   linespace_gl_calls compute|detect|recount|exact|oriented|weighted|houghlines|texture|significant
+//     IMAGE CALLS
 
 #include "test_gl.hpp"
 
@@ -27,7 +28,7 @@ void call(const cv::String& function, ls::LineSpaceDetector& detector, const cv:
         detector.compute(edges, output);
     else if (function == "houghlines")
         ls::HoughLines(edges, output, 1, CV_PI / 1800, 120);
-    else if (function == "texture")
+    else if (texture)
         detector.detectTexture(texture, output);
     else if (function == "oriented")
         detector.detect(edges, cv::noArray(), cv::noArray(), output);
@@ -69,6 +70,8 @@ int main(int argc, char** argv)
         ls::BACKEND_OPENGL);
     if (function == "recount")
         detector->setSuppressionRadius(0); // candidates do not climb
+    if (function == "significant")         // lines of a texture
+        detector->setThreshold(0);
     if (function == "weighted")
     {
         detector->setEdgeWeights(true);
@@ -78,7 +81,7 @@ int main(int argc, char** argv)
     {
         std::unique_ptr<opencv_test::TestContext> context;
         unsigned int texture = 0;
-        if (function == "texture")
+        if (function == "texture" || function == "significant")
         {
             context.reset(new opencv_test::TestContext);
             texture = context->textureOf(edges, true);

@@ -447,6 +447,8 @@ private:
         {
             const WorkingTime time(*counting.executor);
             counting.executor->takeTexture(texture, map.weighted, mask_);
+            if (parameters_.threshold == 0)
+                map.voters = counting.executor->countTaken();
         }
         map.isTaken = true;
         counting.times.end("edge map");
@@ -578,14 +580,16 @@ private:
                (parameters_.threshold > 0 || !parameters_.edgeWeights);
     }
 
-    //! Whether the host counts the pixels that vote, and not OpenCV, where it has the image.
+    //! Whether the statistical rule has its pixels counted on the host.
     bool countsPixels(const EdgeMap& edges) const
     {
-        return parameters_.threshold == 0 && (edges.source.empty() || !mask_.empty());
+        return parameters_.threshold == 0 && edges.voters < 0 &&
+               (edges.source.empty() || !mask_.empty());
     }
 
     //! Copies of the edge map for all that counts and refines on the host.
-    void readPlanes(const Input& input, EdgeMap& edges, const Executor& executor, Counting& counting)
+    void readPlanes(const Input& input, EdgeMap& edges, const Executor& executor,
+                    Counting& counting)
     {
         readEdges(input, edges, executor, counting);
         planes_.reset(edges, counting.plan->frame());

@@ -226,10 +226,20 @@ public:
                         (isInteger ? define("INTEGER") : std::string()) +
                             (weighted ? std::string() : define("BINARY")) +
                             (mask.empty() ? std::string() : define("MASKED")));
-        launch.block(image_);
+        const int none = 0;
+        device_->upload(&none, sizeof(none), voters_);
+        launch.block(image_).block(voters_);
         if (!mask.empty())
             launch.block(mask_);
         launch.runItems({size.width, size.area()}, (size.area() + sizeof(uint) - 1) / sizeof(uint));
+    }
+
+    int countTaken() CV_OVERRIDE
+    {
+        int count = 0;
+        device_->finish();
+        device_->read(voters_, sizeof(count), &count);
+        return count;
     }
 
     void readTaken(Mat& votes) CV_OVERRIDE
@@ -266,7 +276,7 @@ public:
 private:
     void release()
     {
-        GlBuffer* const buffers[] = {&corners_, &image_,           &mask_,   &directions_,
+        GlBuffer* const buffers[] = {&corners_, &image_,           &mask_,   &voters_, &directions_,
                                      &planes_,  &directionPlanes_, &chords_, &sums_};
         for (GlBuffer* buffer : buffers)
             buffer->release();
@@ -429,8 +439,8 @@ private:
     bool hasCorners_;
     GlBuffer corners_;
     GlBuffer image_, directions_; //!< the edge map
-    GlBuffer mask_;               //!< of a texture
-    Size taken_;                  //!< that of the texture
+    GlBuffer mask_, voters_;      //!< of a texture: the mask, and how many pixels vote
+    Size taken_;                  //!< its size
     GlBuffer planes_, directionPlanes_;
     GlBuffer chords_, sums_; //!< of rescore
     GlMaxima maxima_;

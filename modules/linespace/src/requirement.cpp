@@ -19,8 +19,9 @@ namespace {
 std::vector<int> votersOf(const EdgeMap& edges)
 {
     if (!edges.isOriented() || edges.isEstimated)
-        return std::vector<int>(1, edges.votes.empty() ? countNonZero(edges.source)
-                                                       : countNonZero(edges.votes));
+        return std::vector<int>(1, edges.voters >= 0     ? edges.voters
+                                   : edges.votes.empty() ? countNonZero(edges.source)
+                                                         : countNonZero(edges.votes));
     std::vector<int> voters(DIRECTION_BINS, 0);
     for (int y = 0; y < edges.directions.rows; ++y)
     {

@@ -82,6 +82,7 @@ struct EdgeMap
     UMat source, sourceMask;
     //! Whether the executor has the votes already, by takeTexture().
     bool isTaken;
+    int voters; //!< if isTaken, how many pixels vote; -1: that is not known
     bool weighted;
     //! CV_16UC1 of the same size, continuous: a pixel votes for the chords of the bins in its bits
     //! (orientation.hpp); empty: for all.
@@ -91,7 +92,7 @@ struct EdgeMap
     //! empty: none were.
     Mat dx, dy;
 
-    EdgeMap() : isTaken(false), weighted(false), isEstimated(false) {}
+    EdgeMap() : isTaken(false), voters(-1), weighted(false), isEstimated(false) {}
     bool isOriented() const { return !directions.empty(); }
     //! Bytes that hold `count` edge pixels' votes.
     int depthFor(int count) const
@@ -190,7 +191,9 @@ public:
 
     //! Takes what votes from a texture, as EdgeMap::votes; `mask` may be empty.
     virtual void takeTexture(unsigned int /*texture*/, bool /*weighted*/, const Mat& /*mask*/) {}
-    //! Reads what it took last.
+    //! Of what it took last, how many pixels vote.
+    virtual int countTaken() { return 0; }
+    //! And those pixels.
     virtual void readTaken(Mat& /*votes*/) {}
 
     //! Writes a level's table as LineSpaceDetector::computeLevel does, to CV_32SC1 of that size.

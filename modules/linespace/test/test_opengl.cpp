@@ -373,6 +373,9 @@ TEST_P(Linespace_OpenGl_Context, textures)
             detector->setEdgeWeights(i % 5 == 4);
             detector->setMethod(i % 7 == 6 ? METHOD_EXACT : METHOD_CASCADED);
             detector->setSuppressionRadius(i % 4);
+            detector->setThreshold(i % 8 < 6 ? 0 : 4);
+            detector->setSuppression(i % 11 == 5 ? SUPPRESS_BLOCKS : SUPPRESS_RING);
+            detector->setSelection(i % 13 == 7 ? SELECT_EXPLAIN : SELECT_PEAKS);
         }
         byCpu->detect(edges, expected);
         byOpenGl->detectTexture(texture, lines);
