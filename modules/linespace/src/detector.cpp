@@ -613,7 +613,9 @@ private:
                     countVotes(executor, edges, plan, parameters_.method == METHOD_EXACT,
                                counting.level, tables_, counting.times,
                                parameters_.pruning ? candidateThreshold(requirement) : -1);
-                    if (!stays) // a device is still counting
+                    if (stays)
+                        planes_.clear(); // of another map, maybe with weights
+                    else // a device is still counting
                         readPlanes(input, edges, executor, counting);
                     bool areCounted = parameters_.method == METHOD_EXACT;
                     std::vector<Candidate> candidates =

@@ -78,6 +78,7 @@ double EdgePlanes::memory(const Cell& frame, bool weighted, bool oriented)
 void EdgePlanes::clear()
 {
     buffer_.release();
+    oriented_ = weighted_ = false;
 }
 
 //! Of one of the planes, upright or transposed; the last row has a margin behind it as well.
