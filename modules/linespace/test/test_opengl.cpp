@@ -358,8 +358,6 @@ TEST_P(Linespace_OpenGl_Context, textures)
     const Ptr<LineSpaceDetector> byCpu = LineSpaceDetector::create(0, 0, METHOD_CASCADED, 8,
                                                                    BACKEND_CPU),
                                  byOpenGl = LineSpaceDetector::create();
-    byCpu->setFalseAlarms(1e5);
-    byOpenGl->setFalseAlarms(1e5);
     for (int i = 0; i < 60; ++i)
     {
         const Size size(1 + 17 * i % 131, 1 + 29 * i % 97);
@@ -374,6 +372,9 @@ TEST_P(Linespace_OpenGl_Context, textures)
             detector->setMethod(i % 7 == 6 ? METHOD_EXACT : METHOD_CASCADED);
             detector->setSuppressionRadius(i % 4);
             detector->setThreshold(i % 8 < 6 ? 0 : 4);
+            // By the number of pixels some of the chords are wanted, or whatever it is all.
+            const double chords = std::pow(size.width + size.height, 2) + 2. * size.area();
+            detector->setFalseAlarms(std::max(1., (i % 6 < 3 ? 0.2 : 2) * chords));
             detector->setSuppression(i % 11 == 5 ? SUPPRESS_BLOCKS : SUPPRESS_RING);
             detector->setSelection(i % 13 == 7 ? SELECT_EXPLAIN : SELECT_PEAKS);
         }
@@ -382,6 +383,58 @@ TEST_P(Linespace_OpenGl_Context, textures)
         ASSERT_EQ(BACKEND_OPENGL, byOpenGl->getActiveBackend());
         ASSERT_EQ(expected, lines) << i << ": " << size;
         context.gl().DeleteTextures(1, &texture);
+    }
+}
+
+//! Lowers the limits of the devices that are made in its time.
+class LowLimits
+{
+public:
+    explicit LowLimits(const char* limits)
+    {
+#ifndef _WIN32
+        const char* const now = getenv(name());
+        before_ = now ? now : "";
+        setenv(name(), limits, 1);
+#endif
+    }
+    ~LowLimits()
+    {
+#ifndef _WIN32
+        setenv(name(), before_.c_str(), 1);
+#endif
+    }
+
+private:
+    static const char* name() { return "LINESPACE_OPENGL_LIMITS"; }
+    std::string before_; // an empty one lowers nothing
+};
+
+//! The CPU path takes over, and has the pixels from the device that failed.
+TEST_P(Linespace_OpenGl_Context, a_device_that_fails)
+{
+    SKIP_WITHOUT_OPENGL();
+    const LowLimits limits("16384,100,4");
+    const TestContext context(GetParam());
+    const Mat1b edges = randomEdges(Size(90, 70), 0.2, 1);
+    const unsigned int texture = context.textureOf(edges, true);
+    const BoundState state(context, true);
+    for (int threshold = 0; threshold <= 20; threshold += 20)
+    {
+        Lines expected, lines;
+        LineSpaceDetector::create(threshold, 0, METHOD_CASCADED, 8, BACKEND_CPU)
+            ->detect(edges, expected);
+        const Ptr<LineSpaceDetector> detector = LineSpaceDetector::create(threshold);
+        for (int i = 0; i < 2; ++i)
+        {
+            detector->detectTexture(texture, lines);
+            EXPECT_EQ(BACKEND_CPU, detector->getActiveBackend());
+            EXPECT_EQ(expected, lines);
+            state.check();
+        }
+        detector->setBackend(BACKEND_OPENGL);
+        EXPECT_EQ("", wrongException([&]() { detector->detectTexture(texture, lines); },
+                                     {"BACKEND_OPENGL", "bytes"}));
     }
 }
 
