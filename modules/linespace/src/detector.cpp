@@ -233,6 +233,7 @@ public:
         deviations_.clear();
         stageTimes_ = StageTimes();
         activeBackend_ = -1;
+        failedSize_ = Size();
     }
     String getDefaultName() const CV_OVERRIDE
     {
@@ -445,8 +446,13 @@ private:
     template<class Work>
     void runWith(bool isUMat, Counting& counting, Work work)
     {
+        const Size size = counting.plan->imageSize();
+        const bool avoidsDevice = parameters_.backend == BACKEND_AUTO &&
+                                  getDefaultBackend() == BACKEND_AUTO && failedSize_ == size;
         if (!counting.executor)
-            counting.executor = executorFor(parameters_.backend, isUMat, executor_);
+            counting.executor = executorFor(avoidsDevice ? (int)BACKEND_CPU : parameters_.backend,
+                                            isUMat, executor_);
+        const Ptr<Executor> first = counting.executor;
         counting.executor = runOn(parameters_.backend, counting.executor,
                                   [&](Executor& executor)
                                   {
@@ -454,6 +460,8 @@ private:
                                           tables_.release();
                                       work(executor);
                                   });
+        if (counting.executor != first)
+            failedSize_ = size;
     }
 
     //! The image, or 1 where it is not 0, under the mask.
@@ -805,6 +813,7 @@ private:
     int planMethod_, planCellSize_;
     Ptr<Executor> executor_;
     int activeBackend_;
+    Size failedSize_; // of images for which a device failed: it is not tried again and again
     Images images_;
     VoteTables tables_;
     BundleSearch bundles_;

@@ -33,7 +33,8 @@ enum Method
 enum Backend
 {
     //! The process-wide default, see setDefaultBackend; else OpenCL for a UMat where OpenCV uses a
-    //! device, else the CPU path.
+    //! device, else the CPU path. It stands in for a device that fails, with a warning; a detector
+    //! tries that again for images of another size, or after clear().
     BACKEND_AUTO = 0,
     BACKEND_REFERENCE = 1, //!< scalar code that follows the definition; slow
     BACKEND_CPU = 2,       //!< vectorised and threaded through cv::parallel_for_
