@@ -490,8 +490,7 @@ private:
                         return;
                     counting.level = levelForLines(plan, executor);
                     countVotes(executor, edges, plan, parameters_.method == METHOD_EXACT,
-                               counting.level, tables_, counting.times,
-                               parameters_.pruning ? candidateThreshold(requirement) : -1);
+                               counting.level, tables_, counting.times);
                     // A device is still counting.
                     planes_.reset(edges, plan.frame());
                     candidates = candidatesFor(executor, edges, requirement, angles, counting);
@@ -529,14 +528,20 @@ private:
                parameters_.suppressionRadius <= MOST_PRUNED_RADIUS;
     }
 
-    //! The level whose table lines are found from: the last one, or where bundles take over.
-    int levelForLines(const Plan& plan, const Executor& executor)
+    //! The level whose table lines are found from: the last one, or where bundles or blocks take
+    //! over.
+    int levelForLines(const Plan& plan, Executor& executor)
     {
-        const int last = plan.levelCount() - 1;
-        const int base = prunes() && executor.backend() == BACKEND_CPU
-                             ? BundleSearch::baseLevel(plan, parameters_.edgeWeights)
-                             : -1;
-        return base < 0 || !bundles_.isWorthATry(plan.imageSize()) ? last : base;
+        int base = -1;
+        if (prunes() && executor.backend() == BACKEND_CPU)
+        {
+            base = BundleSearch::baseLevel(plan, parameters_.edgeWeights);
+            if (base >= 0 && !bundles_.isWorthATry(plan.imageSize()))
+                base = -1;
+        }
+        else if (prunes())
+            base = executor.levelForPruning(plan, parameters_.edgeWeights);
+        return base < 0 ? plan.levelCount() - 1 : base;
     }
 
     //! The exact method's votes need no second count and no lower threshold.
@@ -573,22 +578,29 @@ private:
         wanted.leastVotes = requirement.leastVotes(ratio);
         wanted.leastVotesDecide = requirement.pixels.size() <= 1 && angles.isFull();
         const int last = plan.levelCount() - 1, radius = parameters_.suppressionRadius;
-        if (counting.level < last)
+        const int climbingRadius = candidatesClimb() ? -1 : radius;
+        std::vector<Candidate> found;
+        if (counting.level < last && executor.backend() != BACKEND_CPU)
+        {
+            const bool isFound = executor.findMaximaPruned(edges, plan, counting.level, tables_,
+                                                           wanted, climbingRadius, found);
+            counting.times.end("candidates");
+            if (isFound)
+                return found;
+            mergeVotes(executor, edges, plan, counting.level, last, tables_, counting.times);
+        }
+        else if (counting.level < last)
         {
             const VoteTable& base = tables_.of(counting.level);
             bundles_.bound(plan, counting.level, base, tables_.besides(counting.level));
             counting.times.end("bounds");
-            std::vector<Candidate> found;
-            const bool isFound =
-                bundles_.find(plan, wanted, candidatesClimb() ? -1 : radius, base, found);
+            const bool isFound = bundles_.find(plan, wanted, climbingRadius, base, found);
             counting.times.end("bundles");
             if (isFound)
                 return found;
             mergeVotes(executor, edges, plan, counting.level, last, tables_, counting.times);
         }
         VoteTable& table = tables_.of(last);
-        const int climbingRadius = candidatesClimb() ? -1 : radius;
-        std::vector<Candidate> found;
         if (parameters_.suppression != SUPPRESS_RING ||
             !executor.findMaxima(edges, plan, table, wanted, climbingRadius, found))
         {

@@ -31,8 +31,12 @@ const ocl::ProgramSource& sourceOf(DeviceProgram program)
     using namespace ocl::linespace;
     static const ocl::ProgramSource cascade = joined(chords_oclsrc, cascade_oclsrc),
                                     maxima = joined(chords_oclsrc, maxima_oclsrc),
+                                    pruning = joined(chords_oclsrc, pruning_oclsrc),
                                     table = joined(chords_oclsrc, table_oclsrc);
-    return program == CASCADE_PROGRAM ? cascade : program == MAXIMA_PROGRAM ? maxima : table;
+    return program == CASCADE_PROGRAM   ? cascade
+           : program == MAXIMA_PROGRAM  ? maxima
+           : program == PRUNING_PROGRAM ? pruning
+                                        : table;
 }
 
 } // namespace

@@ -49,6 +49,7 @@ enum DeviceProgram
 {
     CASCADE_PROGRAM,
     MAXIMA_PROGRAM,
+    PRUNING_PROGRAM,
     TABLE_PROGRAM
 };
 
