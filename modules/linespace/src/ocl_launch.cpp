@@ -81,7 +81,7 @@ Launch::Launch(DeviceProgram program, const char* name, const String& options)
 
 void Launch::run(size_t width, size_t height, bool alongRows)
 {
-    size_t items = GROUP;
+    size_t items = alongRows ? GROUP_OF_ROWS : GROUP;
     while (items > kernel_.workGroupSize())
         items /= 2;
     size_t local[2] = {alongRows ? 1 : items, alongRows ? items : 1}, global[2] = {width, height};

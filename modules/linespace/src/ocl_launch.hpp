@@ -60,7 +60,9 @@ class Launch
 public:
     enum
     {
-        GROUP = 64 //!< most work items of a group
+        GROUP = 64, //!< most work items of a group
+        GROUP_OF_ROWS =
+            8 //!< where each has so much to do that few groups would keep few cores busy
     };
 
     Launch(DeviceProgram program, const char* name, const String& options);
