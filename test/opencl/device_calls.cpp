@@ -51,7 +51,10 @@ int main(int argc, char** argv)
     const cv::Ptr<cv::linespace::LineSpaceDetector> detector =
         cv::linespace::LineSpaceDetector::create(edges.rows / 5, 100);
     if (function == "recount")
+    {
         detector->setSuppressionRadius(0); // candidates do not climb: the device counts them again
+        detector->setPruning(false);       // and of whole tables
+    }
     if (function == "exact")
         detector->setMethod(cv::linespace::METHOD_EXACT);
     for (int call = 0; call < 2; ++call)

@@ -69,9 +69,11 @@ int main(int argc, char** argv)
         std::string(argv[1]) == "cpu" ? cv::linespace::BACKEND_CPU : cv::linespace::BACKEND_OPENCL;
     cv::RNG random(1);
     int calls = 0;
-    for (int variant = 0; variant < 20; ++variant)
+    for (int variant = 0; variant < 23; ++variant)
     {
-        const cv::Size size(1 + variant * 13 % 41, 1 + variant * 7 % 29);
+        // The last ones are large enough for their last levels to be pruned.
+        const cv::Size size =
+            variant < 20 ? cv::Size(1 + variant * 13 % 41, 1 + variant * 7 % 29) : cv::Size(64, 64);
         cv::Mat noise(size, CV_8UC1), large, mask(size, CV_8UC1), dx, dy;
         random.fill(noise, cv::RNG::UNIFORM, 0, 256);
         const cv::Mat edges = noise.mul(noise < 70);
@@ -94,14 +96,15 @@ int main(int argc, char** argv)
         cpu->detect(edges, dx, dy, byCpu);
         automatic->detect(onDevice, dx, dy, found);
         check(same(byCpu, found), "oriented detect", variant, size);
-        for (int level = 0; level < cpu->getLevelCount(); ++level)
+        const int levels = variant < 20 ? cpu->getLevelCount() : 0;
+        for (int level = 0; level < levels; ++level)
         {
             cv::UMat table;
             cpu->computeLevel(edges, level, byCpu);
             automatic->computeLevel(onDevice, level, table);
             check(same(byCpu, table.getMat(cv::ACCESS_READ)), "computeLevel", variant, size);
         }
-        calls += 2 + cpu->getLevelCount();
+        calls += 2 + levels;
     }
     std::printf("%d calls, %d differences\n", calls, differences);
     return differences > 0;

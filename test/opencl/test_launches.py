@@ -23,8 +23,9 @@ ROUNDS = 4
 PACKING = ["packColumns", "packRows"]
 ASCENT = PACKING + ["clearMarks", "climbOn"] + ROUNDS * ["wantNeighbours", "countWanted", "markCounted",
                                                          "takeSteps"]
-SEARCH = ["resetSearch", "searchMaxima", "raiseCut", "checkCut", "chooseLeast", "countTiles",
-          "scanTiles", "writeMaxima"]
+SEARCH = ["resetSearch", "searchMaxima", "chooseLeast", "countTiles", "scanTiles", "writeMaxima"]
+PRUNED_LEVELS = 3
+PRUNING = ["poolBlocks"] + PRUNED_LEVELS * ["boundBlocks", "mergeBlocks"] + 2 * ["requireBlocks"]
 
 
 class Account:
@@ -95,15 +96,12 @@ class Launches(unittest.TestCase):
         self.expect("compute", CASCADE + ["writeTable"], merges)
 
     def test_detect(self):
-        # The search is queued a second time for a cut that is too high.
-        self.expect("detect",
-                    CASCADE + ["poolVotes"] + SEARCH + 2 * ["searchMaxima"] + ASCENT,
-                    self.accounts["detect"].levels() - 1)
+        search = ["searchBlocks" if kernel == "searchMaxima" else kernel for kernel in SEARCH]
+        self.expect("detect", CASCADE + PRUNING + search + ASCENT,
+                    self.accounts["detect"].levels() - 1 - PRUNED_LEVELS)
 
     def test_candidates_that_are_counted_again(self):
-        self.expect("recount",
-                    CASCADE + SEARCH + 2 * ["searchMaxima"] + PACKING +
-                    ["countCandidates"],
+        self.expect("recount", CASCADE + SEARCH + PACKING + ["countCandidates"],
                     self.accounts["recount"].levels() - 1)
 
     def test_the_exact_method(self):

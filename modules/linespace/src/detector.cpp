@@ -584,8 +584,7 @@ private:
                         return;
                     counting.level = levelForLines(plan, executor);
                     countVotes(executor, edges, plan, parameters_.method == METHOD_EXACT,
-                               counting.level, tables_, counting.times,
-                               parameters_.pruning ? candidateThreshold(requirement) : -1);
+                               counting.level, tables_, counting.times);
                     if (!stays) // a device is still counting
                         readPlanes(input, edges, counting);
                     bool areCounted = parameters_.method == METHOD_EXACT;
@@ -632,14 +631,20 @@ private:
                parameters_.suppressionRadius <= MOST_PRUNED_RADIUS;
     }
 
-    //! The level whose table lines are found from: the last one, or where bundles take over.
-    int levelForLines(const Plan& plan, const Executor& executor)
+    //! The level whose table lines are found from: the last one, or where bundles or blocks take
+    //! over.
+    int levelForLines(const Plan& plan, Executor& executor)
     {
-        const int last = plan.levelCount() - 1;
-        const int base = prunes() && executor.backend() == BACKEND_CPU
-                             ? BundleSearch::baseLevel(plan, parameters_.edgeWeights)
-                             : -1;
-        return base < 0 || !bundles_.isWorthATry(plan.imageSize()) ? last : base;
+        int base = -1;
+        if (prunes() && executor.backend() == BACKEND_CPU)
+        {
+            base = BundleSearch::baseLevel(plan, parameters_.edgeWeights);
+            if (base >= 0 && !bundles_.isWorthATry(plan.imageSize()))
+                base = -1;
+        }
+        else if (prunes())
+            base = executor.levelForPruning(plan, parameters_.edgeWeights);
+        return base < 0 ? plan.levelCount() - 1 : base;
     }
 
     //! The exact method's votes need no second count and no lower threshold.
@@ -652,6 +657,14 @@ private:
     int candidateThreshold(const Requirement& requirement) const
     {
         return cvFloor(candidateRatio() * requirement.threshold);
+    }
+
+    //! The total order, and each maximum once that several candidates came to.
+    static void sortOut(std::vector<Candidate>& candidates)
+    {
+        std::sort(candidates.begin(), candidates.end(), isStronger);
+        candidates.erase(std::unique(candidates.begin(), candidates.end(), isSameChord),
+                         candidates.end());
     }
 
     //! The chords of the frame whose exact votes may meet the requirement. Sets areCounted if they have
@@ -678,30 +691,38 @@ private:
         wanted.leastVotes = requirement.leastVotes(ratio);
         wanted.leastVotesDecide = requirement.pixels.size() <= 1 && angles.isFull();
         const int last = plan.levelCount() - 1, radius = parameters_.suppressionRadius;
-        if (counting.level < last)
+        const int climbingRadius = candidatesClimb() ? -1 : radius;
+        std::vector<Candidate> found;
+        const int ascent = parameters_.method == METHOD_EXACT ? -1 : ascentRadius();
+        if (counting.level < last && executor.backend() != BACKEND_CPU)
+        {
+            const bool isFound =
+                executor.findMaximaPruned(edges, plan, counting.level, tables_, wanted,
+                                          climbingRadius, ascent, found, areCounted);
+            counting.times.end("candidates");
+            if (isFound)
+            {
+                sortOut(found);
+                return found;
+            }
+            mergeVotes(executor, edges, plan, counting.level, last, tables_, counting.times);
+        }
+        else if (counting.level < last)
         {
             const VoteTable& base = tables_.of(counting.level);
             bundles_.bound(plan, counting.level, base, tables_.besides(counting.level));
             counting.times.end("bounds");
-            std::vector<Candidate> found;
-            const bool isFound =
-                bundles_.find(plan, wanted, candidatesClimb() ? -1 : radius, base, found);
+            const bool isFound = bundles_.find(plan, wanted, climbingRadius, base, found);
             counting.times.end("bundles");
             if (isFound)
                 return found;
             mergeVotes(executor, edges, plan, counting.level, last, tables_, counting.times);
         }
         VoteTable& table = tables_.of(last);
-        const int climbingRadius = candidatesClimb() ? -1 : radius;
-        std::vector<Candidate> found;
-        const int ascent = parameters_.method == METHOD_EXACT ? -1 : ascentRadius();
         if (parameters_.suppression == SUPPRESS_RING &&
             executor.findMaxima(edges, plan, table, wanted, climbingRadius, ascent, found,
                                 areCounted))
-        {
-            std::sort(found.begin(), found.end(), isStronger);
-            found.erase(std::unique(found.begin(), found.end(), isSameChord), found.end());
-        }
+            sortOut(found);
         else
         {
             executor.fetch(table);

@@ -106,30 +106,31 @@ public:
         if (table.depth > 2)
             throw DeviceFailure("a cell has too many votes for 16-bit numbers");
         const int lanes = logOf(std::min<size_t>(wordsOf(table), GlDevice::GROUP));
-        forEachPart(
-            table,
-            [&](int first, int count, size_t offset, size_t bytes)
-            {
-                GlLaunch launch(*device_, GL_FIRST_CELLS,
-                                define("PARENT_BITS", 8 * table.depth) +
-                                    (isOriented ? orientedOptions() : std::string()));
-                launch.block(planes_).block(bufferOf(table), offset, bytes);
-                if (isOriented)
-                    launch.block(directionPlanes_);
-                launch.runItems({first, count, level.cell.width, level.cell.height, lanes,
-                                 (int)wordsOf(table), (int)words, (int)directionWords},
-                                (size_t)count << lanes);
-            });
+        forEachPart(table,
+                    [&](int first, int count, size_t offset, size_t bytes)
+                    {
+                        GlLaunch launch(*device_, GL_FIRST_CELLS,
+                                        define("PARENT_BITS", 8 * table.depth) +
+                                            (isOriented ? orientedOptions() : std::string()));
+                        launch.block(planes_).block(bufferOf(table), offset, bytes);
+                        if (isOriented)
+                            launch.block(directionPlanes_);
+                        launch.runItems({first, count, level.cell.width, level.cell.height, lanes,
+                                         (int)wordsOf(table), (int)words, (int)directionWords},
+                                        (size_t)count << lanes);
+                    });
     }
 
-    void mergeCells(const Plan& plan, int l, const VoteTable& child, VoteTable& parent,
-                    int /*worthless*/) CV_OVERRIDE
+    void mergeCells(const Plan& plan, int l, const VoteTable& child, VoteTable& parent) CV_OVERRIDE
     {
         const size_t words = wordsOf(parent);
         // Of the child's votes that come to a word of the parent.
-        const int bits = 8 * child.depth *
-                         (int)std::min<size_t>(parent.cells, sizeof(uint) / parent.depth);
-        Merging merging = {child, parent, std::string(), (int)words,
+        const int bits =
+            8 * child.depth * (int)std::min<size_t>(parent.cells, sizeof(uint) / parent.depth);
+        Merging merging = {child,
+                           parent,
+                           std::string(),
+                           (int)words,
                            logOf(std::min<size_t>(words, GlDevice::GROUP)),
                            bits == 32 ? -1 : (int)((1u << bits) - 1)};
         merging.options = windowOptions(device_->limits(), bytesOf(child)) +
@@ -195,8 +196,7 @@ public:
         return device_->bindTexture(texture, isInteger);
     }
 
-    void takeTexture(unsigned int texture, bool weighted, const Mat& mask,
-                     Mat& votes) CV_OVERRIDE
+    void takeTexture(unsigned int texture, bool weighted, const Mat& mask, Mat& votes) CV_OVERRIDE
     {
         bool isInteger;
         const Size size = device_->bindTexture(texture, isInteger);
@@ -400,7 +400,8 @@ private:
     }
 
     //! After the blocks that all have.
-    void countExactly(const EdgeMap& edges, const Plan& plan, GlLaunch& launch, int first, int count)
+    void countExactly(const EdgeMap& edges, const Plan& plan, GlLaunch& launch, int first,
+                      int count)
     {
         if (edges.isOriented())
             launch.blockAt(3, directions_);

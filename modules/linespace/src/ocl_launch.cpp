@@ -37,12 +37,14 @@ const ocl::ProgramSource& sourceOf(DeviceProgram program)
                                     cascade =
                                         joined({chords_oclsrc, pixels_oclsrc, cascade_oclsrc}),
                                     maxima = joined({chords_oclsrc, maxima_oclsrc}),
+                                    pruning = joined({chords_oclsrc, pruning_oclsrc}),
                                     table = joined({chords_oclsrc, table_oclsrc});
     switch (program)
     {
     case ASCENT_PROGRAM: return ascent;
     case CASCADE_PROGRAM: return cascade;
     case MAXIMA_PROGRAM: return maxima;
+    case PRUNING_PROGRAM: return pruning;
     default: return table;
     }
 }
@@ -89,7 +91,7 @@ Launch::Launch(DeviceProgram program, const char* name, const String& options)
 
 void Launch::run(size_t width, size_t height, bool alongRows)
 {
-    size_t items = GROUP;
+    size_t items = alongRows ? GROUP_OF_ROWS : GROUP;
     while (items > kernel_.workGroupSize())
         items /= 2;
     size_t local[2] = {alongRows ? 1 : items, alongRows ? items : 1}, global[2] = {width, height};

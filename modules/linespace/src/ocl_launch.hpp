@@ -50,6 +50,7 @@ enum DeviceProgram
     ASCENT_PROGRAM,
     CASCADE_PROGRAM,
     MAXIMA_PROGRAM,
+    PRUNING_PROGRAM,
     TABLE_PROGRAM
 };
 
@@ -60,7 +61,9 @@ class Launch
 public:
     enum
     {
-        GROUP = 64 //!< most work items of a group
+        GROUP = 64, //!< most work items of a group
+        GROUP_OF_ROWS =
+            8 //!< where each has so much to do that few groups would keep few cores busy
     };
 
     Launch(DeviceProgram program, const char* name, const String& options);

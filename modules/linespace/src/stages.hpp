@@ -104,6 +104,7 @@ struct EdgeMap
 struct Candidate; // peaks.hpp
 struct Wanted;
 class EdgeBits; // edge_bits.hpp
+struct VoteTables;
 
 //! A device cannot do what is asked for; the CPU path can.
 struct DeviceFailure
@@ -149,10 +150,9 @@ public:
 
     /** Level `level` >= 1 from the level below: each chord is a copy of one child's, or the sum of
     a part in each child. `parent` is allocated for the level; its depth is not less than the
-    child's.
-    @param worthless votes that no one asks for: chords that have no more may get 0; -1: none may. */
-    virtual void mergeCells(const Plan& plan, int level, const VoteTable& child, VoteTable& parent,
-                            int worthless) = 0;
+    child's. */
+    virtual void mergeCells(const Plan& plan, int level, const VoteTable& child,
+                            VoteTable& parent) = 0;
 
     /** The same for a child and a parent of one byte per vote, where the parent's could need more.
     @return false if they do, or if it is not worth a try. */
@@ -175,6 +175,18 @@ public:
     virtual bool findMaxima(const EdgeMap&, const Plan&, const VoteTable& /*table*/, const Wanted&,
                             int /*radius*/, int /*ascentRadius*/, std::vector<Candidate>& /*found*/,
                             bool& /*areCounted*/)
+    {
+        return false;
+    }
+
+    //! The level from whose table findMaximaPruned() goes on; -1: it is of no use.
+    virtual int levelForPruning(const Plan&, bool /*weighted*/) { return -1; }
+
+    /** As findMaxima, from the table of that level, which stays: most chords of those above are not
+    counted. */
+    virtual bool findMaximaPruned(const EdgeMap&, const Plan&, int /*base*/, VoteTables&,
+                                  const Wanted&, int /*radius*/, int /*ascentRadius*/,
+                                  std::vector<Candidate>& /*found*/, bool& /*areCounted*/)
     {
         return false;
     }
@@ -235,14 +247,13 @@ private:
 
 /** Runs the cascade (or the exact method, for a plan of one level made for it) up to a level, whose
 votes are in tables.of(level) on return.
-@param worthless of the last merge of the plan, as Executor::mergeCells.
 @param times has a stage for each level on return. */
 void countVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, bool exact, int level,
-                VoteTables& tables, StageTimes& times, int worthless = -1);
+                VoteTables& tables, StageTimes& times);
 
 //! Goes on from level `from`, which was counted, to level `to`.
 void mergeVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, int from, int to,
-                VoteTables& tables, StageTimes& times, int worthless = -1);
+                VoteTables& tables, StageTimes& times);
 
 /** Bytes that countVotes needs for its two tables, and everybody for copies of the edge map, but
 for EdgePlanes. */

@@ -6,7 +6,7 @@
 // [chord][cell]. What chords and crossings are is the plan's, in tables: nothing here derives
 // geometry of its own.
 //
-// CHILD, PARENT: types of votes. CELLS: how many cells are taken at a time, a power of two up to 16.
+// CHILD, PARENT: types of votes. CELLS: how many cells are taken at a time, 1, 2, 4, 8 or 16.
 
 #if CELLS == 1
 #define VECTOR(type) type
@@ -99,89 +99,14 @@ typedef struct
 {
     int firstEnd, count, isCrossing, childS, chordS, strideS, chordE, strideE, stepE;
     int numerator, numeratorStep, denominator, denominatorStep;
-    int pointS, pointE;                         /* s and firstEnd on the borders of their children */
-    int sharedS, directionS, sharedE, directionE; /* point 0 of the shared side there, and to point 1 */
 } Segment;
 
-#ifdef PRUNED
-/* The most votes of blocks of BLOCK x BLOCK chords (s, e) of each of two cells. Global size: blocks of
-the border, for e and for s. */
-__kernel void poolVotes(__global const CHILD* table, int width, int height, int blocks,
-                        __global int2* pools)
-{
-    const int blockE = get_global_id(0), blockS = get_global_id(1);
-    if (blockE >= blocks || blockS >= blocks)
-        return;
-    const Frame cell = {width, height};
-    const int points = 2 * (width + height), endE = min((blockE + 1) * BLOCK, points);
-    const int endS = min((blockS + 1) * BLOCK, points - height);
-    CONCAT(CHILD, 2) most = 0;
-    for (int s = blockS * BLOCK; s < endS; ++s)
-    {
-        const int firstPartner = sideOf(cell, s).y;
-        __global const CONCAT(CHILD, 2)* const row =
-            (__global const CONCAT(CHILD, 2)*)table + rowStart(cell, s);
-        for (int e = max(blockE * BLOCK, firstPartner); e < endE; ++e)
-            most = max(most, row[e - firstPartner]);
-    }
-    pools[blockS * blocks + blockE] = convert_int2(most);
-}
-
-/* At least the votes of the chords of a cell between points p .. q of one side and r .. t of another;
-INT_MAX if it takes too long. */
-inline int mostVotes(__global const int* pools, int blocks, int cell, int p, int q, int r, int t)
-{
-    const int4 range = (p < r ? (int4)(p, q, r, t) : (int4)(r, t, p, q)) / BLOCK;
-    if (range.y - range.x > 5 || range.w - range.z > 5)
-        return INT_MAX;
-    int most = 0;
-    for (int a = range.x; a <= range.y; ++a)
-        for (int b = range.z; b <= range.w; ++b)
-            most = max(most, pools[2 * (a * blocks + b) + cell]);
-    return most;
-}
-
-inline int crossingAt(__global const Segment* segment, int i)
-{
-    return quotient(segment->numerator + i * segment->numeratorStep,
-                    segment->denominator + i * segment->denominatorStep);
-}
-
-/* Whether none of the chords first .. first + count - 1 of a segment has more votes than the
-bound. */
-inline bool isWorthless(__global const int* pools, int blocks, __global const Segment* segment,
-                        int first, int count, int bound)
-{
-    const int s = segment->pointS, e = segment->pointE + first, lastE = e + count - 1;
-    if (!segment->isCrossing)
-        return mostVotes(pools, blocks, segment->childS, s, s, e, lastE) <= bound;
-    const int m = crossingAt(segment, first), n = crossingAt(segment, first + count - 1);
-    const int onS = segment->sharedS + segment->directionS * m;
-    const int endOnS = segment->sharedS + segment->directionS * n;
-    const int most =
-        mostVotes(pools, blocks, segment->childS, s, s, min(onS, endOnS), max(onS, endOnS));
-    if (most > bound)
-        return false;
-    const int onE = segment->sharedE + segment->directionE * m;
-    const int endOnE = segment->sharedE + segment->directionE * n;
-    const int rest = mostVotes(pools, blocks, 1 - segment->childS, e, lastE, min(onE, endOnE),
-                               max(onE, endOnE));
-    return rest <= bound - most;
-}
-#endif
-
-/* One level from the one below, RUN chords of a row at a time. PRUNED: to one cell; chords that the
-pools of the children tell not to have more votes than `worthless` may get 0. Row s has the segments from
+/* One level from the one below, RUN chords of a row at a time. Row s has the segments from
 segments[MAX_SEGMENTS * s] on; its first chord is rows[s].x, their number rows[s].y, that of its
 segments rows[s].z, its first end rows[s].w. Global size: runs of the longest row, rows. */
 __kernel void mergeCells(__global const Segment* segments, __global const int4* rows, int rowCount,
                          int cells, __global const CHILD* restrict child,
-                         __global PARENT* restrict parent
-#ifdef PRUNED
-                         ,
-                         __global const int* pools, int blocks, int worthless
-#endif
-)
+                         __global PARENT* restrict parent)
 {
     const int s = get_global_id(1);
     if (s >= rowCount)
@@ -196,25 +121,9 @@ __kernel void mergeCells(__global const Segment* segments, __global const int4* 
     for (int e = begin; e < end; segment += e >= segment->firstEnd + segment->count)
     {
         const int first = e - segment->firstEnd;
-        int count = min(end - e, segment->count - first);
+        const int count = min(end - e, segment->count - first);
         const int childS = segment->childS;
-#ifdef PRUNED
-        bool skips = isWorthless(pools, blocks, segment, first, count, worthless);
-        if (!skips && count > BLOCK)
-        {
-            count = BLOCK;
-            skips = isWorthless(pools, blocks, segment, first, count, worthless);
-        }
         e += count;
-        if (skips)
-        {
-            for (int i = 0; i < count; ++i, out += CELL_COUNT)
-                *out = 0;
-            continue;
-        }
-#else
-        e += count;
-#endif
         if (!segment->isCrossing)
         {
             __global const CHILD* own =
