@@ -4,7 +4,7 @@
 
 // Calls one function twice, UMat in, UMat out, for test_launches.py, which reads the device's own
 // account of it:
-//   linespace_device_calls compute|detect|recount|exact|houghlines IMAGE
+//   linespace_device_calls compute|detect|recount|exact|houghlines|houghlines-dense IMAGE
 // The second call's lines of standard error stand between "warm call" and "end".
 
 #include <opencv2/core/ocl.hpp>
@@ -34,7 +34,7 @@ int main(int argc, char** argv)
         return 77;
     }
     std::printf("%s\n", cv::ocl::Device::getDefault().name().c_str());
-    if (function == "houghlines")
+    if (function == "houghlines-dense")
     {
         // Of so many edge pixels that it counts chords first.
         cv::resize(image, image, cv::Size(400, 300), 0, 0, cv::INTER_AREA);
@@ -60,7 +60,9 @@ int main(int argc, char** argv)
         if (function == "compute")
             detector->compute(input, output);
         else if (function == "houghlines")
-            cv::linespace::HoughLines(input, output, 1, CV_PI / 1800, 120);
+            cv::linespace::HoughLines(input, output, 1, CV_PI / 180, 120);
+        else if (function == "houghlines-dense")
+            cv::linespace::HoughLines(input, output, 1, CV_PI / 1800, 250);
         else
             detector->detect(input, output);
     }

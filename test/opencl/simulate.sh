@@ -33,5 +33,6 @@ simulate() {
 
 simulate opencl --data-races
 simulate opencl --max-wgsize 16
+simulate opencl --local-mem-size 1024 # counts that want to be there are elsewhere
 # Less memory than a table needs: the processor takes over.
 simulate cpu --global-mem-size 64

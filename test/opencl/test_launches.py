@@ -25,6 +25,7 @@ ASCENT = PACKING + ["clearMarks", "climbOn"] + ROUNDS * ["wantNeighbours", "coun
                                                          "takeSteps"]
 SEARCH = ["resetSearch", "searchMaxima", "raiseCut", "checkCut", "chooseLeast", "countTiles",
           "scanTiles", "writeMaxima"]
+COUNTED_LINES = ["countPixels", "writePixels", "countVotes", "writeLines"] + 2 * ["scanCounts"]
 
 
 class Account:
@@ -75,7 +76,8 @@ class Launches(unittest.TestCase):
     def setUpClass(cls):
         cls.caches = tempfile.TemporaryDirectory()
         cls.accounts = {function: Account(function, cls.caches.name)
-                        for function in ("compute", "detect", "recount", "exact", "houghlines")}
+                        for function in ("compute", "detect", "recount", "exact", "houghlines",
+                                         "houghlines-dense")}
 
     @classmethod
     def tearDownClass(cls):
@@ -111,15 +113,18 @@ class Launches(unittest.TestCase):
                               "countTiles", "scanTiles", "writeMaxima"] + PACKING)
 
     def test_the_drop_in(self):
-        launches = self.accounts["houghlines"].launches
-        for kernel in CASCADE:
-            self.assertGreater(launches[kernel], 0, kernel)
-        self.assertEqual(launches["mergeCells"] % CALLS, 0)
+        self.expect("houghlines", COUNTED_LINES)
+        self.assertEqual(len(self.accounts["houghlines"].launches), len(set(COUNTED_LINES)))
+
+    def test_the_drop_in_of_a_dense_map(self):
+        self.expect("houghlines-dense", CASCADE[:2] + ["findSupported"] + COUNTED_LINES)
+        merges = self.accounts["houghlines-dense"].launches["mergeCells"]
+        self.assertGreater(merges, 8)
+        self.assertEqual(merges % CALLS, 0)
 
     def test_a_warm_call_builds_and_allocates_nothing(self):
-        for function in ("compute", "detect", "recount", "exact"):
+        for function, account in self.accounts.items():
             with self.subTest(function):
-                account = self.accounts[function]
                 self.assertGreater(account.builds(account.log), 0)
                 self.assertGreater(account.largest_buffer(account.log), 10000)
                 self.assertEqual(account.builds(account.warm), 0)
@@ -134,6 +139,7 @@ class Launches(unittest.TestCase):
         self.assertLessEqual(reads["recount"], 2)
         self.assertLessEqual(reads["exact"], 2)
         self.assertLessEqual(reads["houghlines"], 2)
+        self.assertLessEqual(reads["houghlines-dense"], 2)
 
     def test_the_second_start_builds_nothing(self):
         for function in ("compute", "detect"):

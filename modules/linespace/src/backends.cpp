@@ -53,16 +53,19 @@ int getDefaultBackend()
     return defaultBackend;
 }
 
+int chosenBackend(int backend, bool isUMat)
+{
+    if (backend != BACKEND_AUTO)
+        return backend;
+    backend = defaultBackend;
+    if (backend == BACKEND_AUTO && isUMat)
+        backend = BACKEND_OPENCL;
+    return isAvailable(backend) ? backend : BACKEND_CPU;
+}
+
 Ptr<Executor> executorFor(int backend, bool isUMat, const Ptr<Executor>& kept)
 {
-    if (backend == BACKEND_AUTO)
-    {
-        backend = defaultBackend;
-        if (backend == BACKEND_AUTO && isUMat)
-            backend = BACKEND_OPENCL;
-        if (!isAvailable(backend))
-            backend = BACKEND_CPU;
-    }
+    backend = chosenBackend(backend, isUMat);
     if (backend == BACKEND_OPENCL && !isAvailable(backend))
         CV_Error(Error::OpenCLInitError,
                  "backend = BACKEND_OPENCL: OpenCV uses no OpenCL device here "
@@ -85,6 +88,8 @@ UMat onDevice(InputArray array)
 
 Ptr<Executor> substituteFor(int backend, const DeviceFailure& failure)
 {
+    if (backend == BACKEND_AUTO)
+        backend = defaultBackend;
     if (backend != BACKEND_AUTO)
         CV_Error_(Error::OpenCLApiCallError,
                   ("backend = %s: %s; must be another one, or BACKEND_AUTO", nameOf(backend),

@@ -94,6 +94,8 @@ struct EdgeMap
 struct Candidate; // peaks.hpp
 struct Wanted;
 class EdgeBits; // edge_bits.hpp
+struct HoughGrid; // houghgrid.hpp
+struct GridLine;
 
 //! A device cannot do what is asked for; the CPU path can.
 struct DeviceFailure
@@ -174,6 +176,15 @@ public:
     //! The same as exactVotes for some chords of the frame, one result each.
     virtual void rescore(const EdgeMap& edges, const Plan& plan, const std::vector<Chord>& chords,
                          std::vector<int>& votes) = 0;
+
+    /** The lines of the grid with more votes than the threshold, and at least one, that the drop-in
+    counts (grid_support.hpp), by angles and distances.
+    @return false if they are better counted by the host. */
+    virtual bool countGridLines(const EdgeMap&, const Plan&, const HoughGrid&, int /*threshold*/,
+                                std::vector<GridLine>& /*found*/)
+    {
+        return false;
+    }
 
     //! Gives back what it holds of the map that was counted last: the user's arrays.
     virtual void forgetMap() {}
