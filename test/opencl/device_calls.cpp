@@ -5,7 +5,8 @@
 // Calls one function twice, UMat in, UMat out, for test_launches.py, which reads the device's own
 // account of it:
 //   linespace_device_calls compute|detect|recount|exact|houghlines|houghlines-dense IMAGE
-// The second call's lines of standard error stand between "warm call" and "end".
+// The second call's lines of standard error stand between "warm call begins" and
+// "warm call ends", which may stand in the middle of a line of another thread.
 
 #include <opencv2/core/ocl.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -56,7 +57,7 @@ int main(int argc, char** argv)
         detector->setMethod(cv::linespace::METHOD_EXACT);
     for (int call = 0; call < 2; ++call)
     {
-        std::fprintf(stderr, call == 0 ? "first call\n" : "warm call\n");
+        std::fprintf(stderr, call == 0 ? "first call begins\n" : "warm call begins\n");
         if (function == "compute")
             detector->compute(input, output);
         else if (function == "houghlines")
@@ -66,7 +67,7 @@ int main(int argc, char** argv)
         else
             detector->detect(input, output);
     }
-    std::fprintf(stderr, "end\n");
+    std::fprintf(stderr, "warm call ends\n");
     cv::ocl::finish();
     if (output.empty())
     {

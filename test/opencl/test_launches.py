@@ -50,7 +50,7 @@ class Account:
             self.trace = trace.read_text()
         self.launches = collections.Counter(
             re.findall(r"ndrange_kernel \| complete \|.*name=(\w+)", self.trace))
-        self.warm = re.search(r"(?ms)^warm call$(.*?)^end$", self.log).group(1)
+        self.warm = re.search(r"(?s)warm call begins(.*)warm call ends", self.log).group(1)
         print(f"{function}: {self.out.splitlines()[0]}: " +
               ", ".join(f"{name} {count}" for name, count in sorted(self.launches.items())))
 
