@@ -4,8 +4,9 @@
 
 // Calls one function twice, UMat in, UMat out, for test_launches.py, which reads the device's own
 // account of it:
-//   linespace_device_calls compute|detect|recount|exact|houghlines IMAGE
-// The second call's lines of standard error stand between "warm call" and "end".
+//   linespace_device_calls compute|detect|recount|exact|houghlines|houghlines-dense IMAGE
+// The second call's lines of standard error stand between "warm call begins" and
+// "warm call ends", which may stand in the middle of a line of another thread.
 
 #include <opencv2/core/ocl.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -34,7 +35,7 @@ int main(int argc, char** argv)
         return 77;
     }
     std::printf("%s\n", cv::ocl::Device::getDefault().name().c_str());
-    if (function == "houghlines")
+    if (function == "houghlines-dense")
     {
         // Of so many edge pixels that it counts chords first.
         cv::resize(image, image, cv::Size(400, 300), 0, 0, cv::INTER_AREA);
@@ -59,15 +60,17 @@ int main(int argc, char** argv)
         detector->setMethod(cv::linespace::METHOD_EXACT);
     for (int call = 0; call < 2; ++call)
     {
-        std::fprintf(stderr, call == 0 ? "first call\n" : "warm call\n");
+        std::fprintf(stderr, call == 0 ? "first call begins\n" : "warm call begins\n");
         if (function == "compute")
             detector->compute(input, output);
         else if (function == "houghlines")
-            cv::linespace::HoughLines(input, output, 1, CV_PI / 1800, 120);
+            cv::linespace::HoughLines(input, output, 1, CV_PI / 180, 120);
+        else if (function == "houghlines-dense")
+            cv::linespace::HoughLines(input, output, 1, CV_PI / 1800, 250);
         else
             detector->detect(input, output);
     }
-    std::fprintf(stderr, "end\n");
+    std::fprintf(stderr, "warm call ends\n");
     cv::ocl::finish();
     if (output.empty())
     {

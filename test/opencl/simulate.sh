@@ -16,7 +16,7 @@ fi
 export OPENCV_OPENCL_DEVICE=Oclgrind: OPENCV_OPENCL_CACHE_ENABLE=0
 log=$(mktemp) said=$(mktemp)
 trap 'rm -f "$log" "$said"' EXIT
-detectors=20 # of the program
+detectors=66 # and calls without one, of the program
 
 # simulate BACKEND OPTION...
 simulate() {
@@ -34,6 +34,7 @@ simulate() {
 
 simulate opencl --data-races
 simulate opencl --max-wgsize 16
+simulate opencl --local-mem-size 1024 # counts that want to be there are elsewhere
 # Less memory than a table needs: the processor takes over, and each detector says so once.
 simulate cpu --global-mem-size 64 2>&1 | tee "$said"
 warnings=$(grep -c 'the CPU path runs' "$said" || true)

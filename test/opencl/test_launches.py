@@ -26,6 +26,7 @@ ASCENT = PACKING + ["clearMarks", "climbOn"] + ROUNDS * ["wantNeighbours", "coun
 SEARCH = ["resetSearch", "searchMaxima", "chooseLeast", "countTiles", "scanTiles", "writeMaxima"]
 PRUNED_LEVELS = 3
 PRUNING = ["poolBlocks"] + PRUNED_LEVELS * ["boundBlocks", "mergeBlocks"] + 2 * ["requireBlocks"]
+COUNTED_LINES = ["countPixels", "writePixels", "countVotes", "writeLines"] + 2 * ["scanCounts"]
 
 
 class Account:
@@ -50,7 +51,7 @@ class Account:
             self.trace = trace.read_text()
         self.launches = collections.Counter(
             re.findall(r"ndrange_kernel \| complete \|.*name=(\w+)", self.trace))
-        self.warm = re.search(r"(?ms)^warm call$(.*?)^end$", self.log).group(1)
+        self.warm = re.search(r"(?s)warm call begins(.*)warm call ends", self.log).group(1)
         print(f"{function}: {self.out.splitlines()[0]}: " +
               ", ".join(f"{name} {count}" for name, count in sorted(self.launches.items())))
 
@@ -76,7 +77,8 @@ class Launches(unittest.TestCase):
     def setUpClass(cls):
         cls.caches = tempfile.TemporaryDirectory()
         cls.accounts = {function: Account(function, cls.caches.name)
-                        for function in ("compute", "detect", "recount", "exact", "houghlines")}
+                        for function in ("compute", "detect", "recount", "exact", "houghlines",
+                                         "houghlines-dense")}
 
     @classmethod
     def tearDownClass(cls):
@@ -109,15 +111,18 @@ class Launches(unittest.TestCase):
                               "countTiles", "scanTiles", "writeMaxima"] + PACKING)
 
     def test_the_drop_in(self):
-        launches = self.accounts["houghlines"].launches
-        for kernel in CASCADE:
-            self.assertGreater(launches[kernel], 0, kernel)
-        self.assertEqual(launches["mergeCells"] % CALLS, 0)
+        self.expect("houghlines", COUNTED_LINES)
+        self.assertEqual(len(self.accounts["houghlines"].launches), len(set(COUNTED_LINES)))
+
+    def test_the_drop_in_of_a_dense_map(self):
+        self.expect("houghlines-dense", CASCADE[:2] + ["findSupported"] + COUNTED_LINES)
+        merges = self.accounts["houghlines-dense"].launches["mergeCells"]
+        self.assertGreater(merges, 8)
+        self.assertEqual(merges % CALLS, 0)
 
     def test_a_warm_call_builds_and_allocates_nothing(self):
-        for function in ("compute", "detect", "recount", "exact"):
+        for function, account in self.accounts.items():
             with self.subTest(function):
-                account = self.accounts[function]
                 self.assertGreater(account.builds(account.log), 0)
                 self.assertGreater(account.largest_buffer(account.log), 10000)
                 self.assertEqual(account.builds(account.warm), 0)
@@ -132,6 +137,7 @@ class Launches(unittest.TestCase):
         self.assertLessEqual(reads["recount"], 2)
         self.assertLessEqual(reads["exact"], 2)
         self.assertLessEqual(reads["houghlines"], 2)
+        self.assertLessEqual(reads["houghlines-dense"], 2)
 
     def test_the_second_start_builds_nothing(self):
         for function in ("compute", "detect"):

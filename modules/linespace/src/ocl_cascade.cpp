@@ -10,6 +10,7 @@
 
 #include "cell_chords.hpp"
 #include "ocl_ascent.hpp"
+#include "ocl_houghlines.hpp"
 #include "ocl_launch.hpp"
 #include "ocl_maxima.hpp"
 #include "ocl_pruning.hpp"
@@ -247,6 +248,16 @@ public:
         download(sums_, votes.size() * sizeof(int), votes.data());
     }
 
+    bool countGridLines(const EdgeMap& edges, const Plan& plan, const HoughGrid& grid,
+                        int threshold, std::vector<GridLine>& found) CV_OVERRIDE
+    {
+        prepare(plan);
+        if (!houghLines_)
+            houghLines_ = makePtr<DeviceHoughLines>();
+        houghLines_->count(*this, edges, plan, grid, threshold, found);
+        return true;
+    }
+
     void writeTable(const Plan& plan, int l, const VoteTable& table, const UMat& out) CV_OVERRIDE
     {
         prepare(plan);
@@ -438,6 +449,7 @@ private:
     DevicePruning pruning_;
     DeviceMaxima maxima_;
     DeviceAscent ascent_;
+    Ptr<DeviceHoughLines> houghLines_; //!< empty until it is needed
 };
 
 } // namespace

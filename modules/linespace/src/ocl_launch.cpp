@@ -36,6 +36,7 @@ const ocl::ProgramSource& sourceOf(DeviceProgram program)
     static const ocl::ProgramSource ascent = joined({chords_oclsrc, pixels_oclsrc, ascent_oclsrc}),
                                     cascade =
                                         joined({chords_oclsrc, pixels_oclsrc, cascade_oclsrc}),
+                                    houghlines = joined({chords_oclsrc, houghlines_oclsrc}),
                                     maxima = joined({chords_oclsrc, maxima_oclsrc}),
                                     pruning = joined({chords_oclsrc, pruning_oclsrc}),
                                     table = joined({chords_oclsrc, table_oclsrc});
@@ -43,6 +44,7 @@ const ocl::ProgramSource& sourceOf(DeviceProgram program)
     {
     case ASCENT_PROGRAM: return ascent;
     case CASCADE_PROGRAM: return cascade;
+    case HOUGHLINES_PROGRAM: return houghlines;
     case MAXIMA_PROGRAM: return maxima;
     case PRUNING_PROGRAM: return pruning;
     default: return table;

@@ -105,6 +105,8 @@ struct Candidate; // peaks.hpp
 struct Wanted;
 class EdgeBits; // edge_bits.hpp
 struct VoteTables;
+struct HoughGrid; // houghgrid.hpp
+struct GridLine;
 
 //! A device cannot do what is asked for; the CPU path can.
 struct DeviceFailure
@@ -211,6 +213,15 @@ public:
     //! The same as exactVotes for some chords of the frame, one result each.
     virtual void rescore(const EdgeMap& edges, const Plan& plan, const std::vector<Chord>& chords,
                          std::vector<int>& votes) = 0;
+
+    /** The lines of the grid with more votes than the threshold, and at least one, that the drop-in
+    counts (grid_support.hpp), by angles and distances.
+    @return false if they are better counted by the host. */
+    virtual bool countGridLines(const EdgeMap&, const Plan&, const HoughGrid&, int /*threshold*/,
+                                std::vector<GridLine>& /*found*/)
+    {
+        return false;
+    }
 
     //! Ends a stage of votes. A device that only queues it takes a note of its own clock.
     virtual void endStage(const String& name, StageTimes& times) { times.end(name); }
