@@ -18,14 +18,14 @@ PROGRAM = os.environ["LINESPACE_DEVICE_CALLS"]
 PHOTOGRAPH = Path(os.environ["LINESPACE_SAMPLES_DATA"]) / "building.jpg"
 
 CALLS = 2  # of the program, of which the second one is warm
-CASCADE = ["gatherPixels", "firstCells", "mergeCells"]
-ROUNDS = 4
-PACKING = ["packColumns", "packRows"]
-ASCENT = PACKING + ["clearMarks", "climbOn"] + ROUNDS * ["wantNeighbours", "countWanted", "markCounted",
-                                                         "takeSteps"]
+CASCADE = ["gatherPixels", "firstCells"]
 SEARCH = ["resetSearch", "searchMaxima", "chooseLeast", "countTiles", "scanTiles", "writeMaxima"]
 PRUNED_LEVELS = 3
-PRUNING = ["poolBlocks"] + PRUNED_LEVELS * ["boundBlocks", "mergeBlocks"] + 2 * ["requireBlocks"]
+PRUNING = PRUNED_LEVELS * ["boundBlocks", "mergeBlocks"] + (PRUNED_LEVELS - 1) * ["requireBlocks"]
+SAMPLE = ["resetSearch", "searchMaxima", "chooseLeast"]  # of the first image
+PACKING = ["packColumns", "packRows"]
+ROUND = ["wantNeighbours", "countWanted", "markCounted", "takeSteps"]
+ASCENT = PACKING + ["clearMarks"] + 4 * ROUND + ["climbOn"]
 COUNTED_LINES = ["countPixels", "writePixels", "countVotes", "writeLines"] + 2 * ["scanCounts"]
 
 
@@ -84,13 +84,13 @@ class Launches(unittest.TestCase):
     def tearDownClass(cls):
         cls.caches.cleanup()
 
-    def expect(self, function, kernels, merges=0):
-        expected = collections.Counter(kernels)
-        if merges:
-            expected["mergeCells"] = merges
+    def expect(self, function, kernels, merges=0, once=()):
+        """Kernels of each call, with merges that many times mergeCells; and of the first call."""
+        expected = collections.Counter(CALLS * kernels + CALLS * merges * ["mergeCells"] +
+                                       list(once))
         found = {name: count for name, count in self.accounts[function].launches.items()
                  if name in expected}
-        self.assertEqual(found, {name: CALLS * count for name, count in expected.items()})
+        self.assertEqual(found, expected)
 
     def test_compute(self):
         merges = self.accounts["compute"].levels() - 1
@@ -98,13 +98,16 @@ class Launches(unittest.TestCase):
         self.expect("compute", CASCADE + ["writeTable"], merges)
 
     def test_detect(self):
-        search = ["searchBlocks" if kernel == "searchMaxima" else kernel for kernel in SEARCH]
-        self.expect("detect", CASCADE + PRUNING + search + ASCENT,
-                    self.accounts["detect"].levels() - 1 - PRUNED_LEVELS)
+        def blocks(kernels):
+            return ["searchBlocks" if kernel == "searchMaxima" else kernel for kernel in kernels]
+
+        self.expect("detect", CASCADE + ["poolBlocks"] + PRUNING + blocks(SEARCH) + ASCENT,
+                    self.accounts["detect"].levels() - 1 - PRUNED_LEVELS,
+                    PRUNING + blocks(SAMPLE))
 
     def test_candidates_that_are_counted_again(self):
         self.expect("recount", CASCADE + SEARCH + PACKING + ["countCandidates"],
-                    self.accounts["recount"].levels() - 1)
+                    self.accounts["recount"].levels() - 1, SAMPLE)
 
     def test_the_exact_method(self):
         self.expect("exact", ["exactVotes", "resetSearch", "searchMaxima", "chooseLeast",
@@ -115,7 +118,7 @@ class Launches(unittest.TestCase):
         self.assertEqual(len(self.accounts["houghlines"].launches), len(set(COUNTED_LINES)))
 
     def test_the_drop_in_of_a_dense_map(self):
-        self.expect("houghlines-dense", CASCADE[:2] + ["findSupported"] + COUNTED_LINES)
+        self.expect("houghlines-dense", CASCADE + ["findSupported"] + COUNTED_LINES)
         merges = self.accounts["houghlines-dense"].launches["mergeCells"]
         self.assertGreater(merges, 8)
         self.assertEqual(merges % CALLS, 0)

@@ -100,11 +100,17 @@ public:
             listCells(plan);
         const DevicePixels votes = takePixels(edges, plan);
         allocateOn(gathered_, (size_t)pixels * cells);
+        const int together = (int)std::min<size_t>(table.cells, MOST_TOGETHER);
+        const bool byPieces = isProcessor() && together == MOST_TOGETHER;
         Launch gather(CASCADE_PROGRAM, "gatherPixels",
-                      "-D FIRST_CELLS -D PARENT=uchar -D CELLS=1" + votes.options);
+                      format("-D FIRST_CELLS -D PARENT=uchar -D CELLS=%d", byPieces ? 16 : 1) +
+                          votes.options);
         votes.giveTo(gather);
-        gather.with(in(corners_), cells, pixels, level.cell.width, out(gathered_))
-            .run(cells, pixels);
+        gather.with(in(corners_), cells, pixels, level.cell.width, out(gathered_));
+        if (byPieces)
+            gather.run(cells / together, (level.cell.width + 7) / 8 * level.cell.height);
+        else
+            gather.run(cells, pixels);
         if (edges.isOriented())
         {
             allocateOn(gatheredDirections_, (size_t)pixels * cells * sizeof(ushort));
@@ -113,7 +119,6 @@ public:
                       level.cell.width, out(gatheredDirections_))
                 .run(cells, pixels);
         }
-        const int together = (int)std::min<size_t>(table.cells, MOST_TOGETHER);
         Launch first(
             CASCADE_PROGRAM, "firstCells",
             format("-D FIRST_CELLS -D PARENT=%s -D CELLS=%d", typeOf(table.depth), together) +
@@ -207,9 +212,9 @@ public:
         pruning_.bound(plan, base, whole);
         PrunedVotes pruned;
         pruned.block = DevicePruning::BLOCK;
-        pruned.count = [&](int cut)
+        pruned.count = [&](int cut, int sample)
         {
-            pruning_.count(whole, above, cut);
+            pruning_.count(whole, above, cut, sample);
         };
         pruned.needed = [&]()
         {

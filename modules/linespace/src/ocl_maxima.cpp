@@ -20,8 +20,12 @@ enum
 {
     RUN = 32,
     TILE = 64,
+    USUAL = 3,
     NUMBERS = 5
 };
+
+//! The first image's cut comes from one run or block of so many.
+const int SAMPLE = 32;
 
 const size_t THREE = 3 * sizeof(int);
 
@@ -40,7 +44,7 @@ void DeviceMaxima::find(const EdgeMap& edges, const Plan& plan, const VoteTable&
     const int chords = (int)table.chords, runs = (chords + RUN - 1) / RUN;
     const int tiles = (runs + TILE - 1) / TILE;
     const int most = (int)std::min<size_t>(wanted.most, table.chords);
-    const bool isFew = most < chords / RUN;
+    const bool isFew = most < chords / SAMPLE && runs >= SAMPLE;
     const int bins =
         asInt((double)plan.level(plan.levelCount() - 1).maxVotes * (edges.weighted ? 255 : 1) + 1);
     allocateOn(histogram_, bins * sizeof(int));
@@ -67,17 +71,20 @@ void DeviceMaxima::find(const EdgeMap& edges, const Plan& plan, const VoteTable&
         if (isRequired)
             search.with(in(leastVotes_), image.width, image.height);
     };
-    const auto searchAbove = [&](int cut)
+    const auto searchAbove = [&](int cut, int sample)
     {
+        launch("resetSearch")
+            .with(out(histogram_), bins, out(masks_), runs, out(numbers_))
+            .run(std::max(bins, runs), 1);
         if (!pruned)
         {
             Launch search(MAXIMA_PROGRAM, "searchMaxima", options + required);
             search.with(in(table.device), chords, frame.width, frame.height);
             require(search);
-            search.with(cut, inOut(histogram_), out(masks_)).run(runs, 1);
+            search.with(cut, sample, inOut(histogram_), out(masks_)).run(runs / sample, 1);
             return;
         }
-        pruned->count(cut);
+        pruned->count(cut, sample);
         const int run = isProcessor() ? 16 : 1;
         Launch search(MAXIMA_PROGRAM, "searchBlocks",
                       options + required + format(" -D BLOCK=%d -D PIECES=%d", pruned->block, run));
@@ -88,19 +95,30 @@ void DeviceMaxima::find(const EdgeMap& edges, const Plan& plan, const VoteTable&
                  frame.firstPoint(SIDE_LEFT) / pruned->block, run > 1);
     };
 
+    const auto chooseLeast = [&](int rank)
+    {
+        launch("chooseLeast").with(in(histogram_), bins, rank, inOut(numbers_)).run(1, 1);
+    };
+
     if (size_ != image)
         usual_ = -1;
     size_ = image;
+    if (isFew && usual_ < 0)
+    {
+        // Half as many again, as the maxima of strong lines stand together.
+        searchAbove(wanted.threshold, SAMPLE);
+        chooseLeast((most + most / 2) / SAMPLE + 1);
+        int numbers[NUMBERS];
+        download(numbers_, sizeof(numbers), numbers);
+        usual_ = numbers[USUAL];
+    }
     int cut = isFew ? std::max(usual_, wanted.threshold) : wanted.threshold;
     // One read, if the last image's cut and room are enough.
     int room = isFew ? most : std::min(most, room_);
     for (;;)
     {
-        launch("resetSearch")
-            .with(out(histogram_), bins, out(masks_), runs, out(numbers_))
-            .run(std::max(bins, runs), 1);
-        searchAbove(cut);
-        launch("chooseLeast").with(in(histogram_), bins, most, inOut(numbers_)).run(1, 1);
+        searchAbove(cut, 1);
+        chooseLeast(most);
         launch("countTiles")
             .with(in(table.device), in(masks_), runs, in(numbers_), out(counts_), tiles)
             .run(tiles, 1);
@@ -128,7 +146,7 @@ void DeviceMaxima::find(const EdgeMap& edges, const Plan& plan, const VoteTable&
         if (pruned && (!isFew || head.s <= cut))
             pruned->learn(head.e);
         if (isFew)
-            usual_ = head.s;
+            usual_ = std::max(0, head.s);
         found.erase(found.begin());
         found.resize(head.votes);
         return;

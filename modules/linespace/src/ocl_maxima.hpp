@@ -16,8 +16,9 @@ namespace linespace {
 votes than a cut: as DevicePruning. */
 struct PrunedVotes
 {
-    int block;                      //!< border points at either end of a block of chords
-    std::function<void(int)> count; //!< queues the count of chords above a cut
+    int block; //!< border points at either end of a block of chords
+    //! Queues the count of chords above a cut, in one block of so many.
+    std::function<void(int, int)> count;
     std::function<UMat()> needed;   //!< by blocks, whether they were counted
     std::function<void(int)> learn; //!< is told how many were needed
 };
@@ -46,8 +47,8 @@ private:
     UMat maxima_;
     int room_;  //!< for so many, where all are asked for
     Size size_; //!< of the last image
-    //! What cut the last image should have begun with, -1: none. The next one of a video hardly
-    //! differs; what is found does not depend on it.
+    //! What cut the last image should have begun with, -1: there was none. The next one of a video
+    //! hardly differs; what is found does not depend on it.
     int usual_;
 };
 

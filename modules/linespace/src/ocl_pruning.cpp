@@ -159,7 +159,8 @@ void DevicePruning::bound(const Plan& plan, int base, const VoteTable& table)
         .run(whole.longestRow, whole.rowCount);
 }
 
-void DevicePruning::count(const VoteTable& table, const std::vector<Votes>& above, int cut)
+void DevicePruning::count(const VoteTable& table, const std::vector<Votes>& above, int cut,
+                          int sample)
 {
     const int run = blocksPerItem();
     const auto optionsOf = [&](const BlockLevel& level)
@@ -185,7 +186,7 @@ void DevicePruning::count(const VoteTable& table, const std::vector<Votes>& abov
         Launch(PRUNING_PROGRAM, "requireBlocks",
                optionsOf(level) + " -D REQUIRE" + (l == top_ ? " -D TOP" : ""))
             .with(in(level.segments), in(level.rows), level.rowCount, in(level.bounds),
-                  in(level.required), cut, in(child.bounds), inOut(child.required),
+                  in(level.required), cut, sample, in(child.bounds), inOut(child.required),
                   out(level.needed))
             .run(runs(level), level.rowCount, run > 1);
     }

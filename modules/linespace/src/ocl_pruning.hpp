@@ -50,8 +50,9 @@ public:
 
     /** Counts the chords of the last level that may have more votes than the cut.
     @param table that of bound().
-    @param above the levels from base + 1 on. */
-    void count(const VoteTable& table, const std::vector<Votes>& above, int cut);
+    @param above the levels from base + 1 on.
+    @param sample in one block of so many. */
+    void count(const VoteTable& table, const std::vector<Votes>& above, int cut, int sample);
 
     //! Of the blocks of the last level, in the order of a table of cells of a BLOCK-th of the size:
     //! not 0 if it was counted.

@@ -22,11 +22,85 @@ boundary. (vloadn and vstoren, which ask for less, are single bytes on some devi
 
 #ifdef FIRST_CELLS
 
+#if CELLS == 16
+
+/* Eight pixels of a row of a cell, as votesAt; 0 beyond the image. */
+inline uchar8 votesOfPiece(__global const uchar* image, int step, int offset, int rows,
+                           int columns MASK_PARAMETERS, int x, int y)
+{
+    uchar8 votes = 0;
+    if (y < rows && x + 8 <= columns)
+    {
+        votes = vload8(0, image + offset + y * step + x);
+#ifdef BINARY
+        votes = convert_uchar8(votes != (uchar8)0) & (uchar8)1;
+#endif
+#ifdef MASKED
+        votes &= convert_uchar8(vload8(0, mask + maskOffset + y * maskStep + x) != (uchar8)0);
+#endif
+    }
+    else if (y < rows)
+    {
+        uchar some[8];
+        for (int i = 0; i < 8; ++i)
+            some[i] =
+                x + i < columns ? votesAt(image, step, offset MASK_ARGUMENTS, x + i, y) : (uchar)0;
+        votes = vload8(0, some);
+    }
+    return votes;
+}
+
+inline uchar16 zipped(uchar8 a, uchar8 b)
+{
+    return (uchar16)(a.s0, b.s0, a.s1, b.s1, a.s2, b.s2, a.s3, b.s3, a.s4, b.s4, a.s5, b.s5, a.s6,
+                     b.s6, a.s7, b.s7);
+}
+
 /* Votes of the pixels of cells, side by side: that of pixel y cellWidth + x of a cell stands at
-planes[pixel * cells + cell], 0 beyond the image. Global size: cells, pixels of a cell. */
+planes[pixel * cells + cell], 0 beyond the image. An item takes a piece of eight pixels of a row of
+16 cells and transposes it. Global size: cells / 16, pieces of a cell. */
 __kernel void gatherPixels(__global const uchar* image, int step, int offset, int rows,
-                           int columns MASK_PARAMETERS, __global const int* corners, int cells, int pixels, int cellWidth,
-                           __global uchar* planes)
+                           int columns MASK_PARAMETERS, __global const int* corners, int cells,
+                           int pixels, int cellWidth, __global uchar* planes)
+{
+    const int cell = get_global_id(0) * 16, pieces = (cellWidth + 7) / 8;
+    const int row = get_global_id(1) / pieces, first = (get_global_id(1) - row * pieces) * 8;
+    if (cell >= cells || row * cellWidth >= pixels)
+        return;
+    uchar8 votes[16];
+    for (int i = 0; i < 16; ++i)
+        votes[i] = votesOfPiece(image, step, offset, rows, columns MASK_ARGUMENTS,
+                                corners[2 * (cell + i)] + first, corners[2 * (cell + i) + 1] + row);
+    uchar16 a[8], b[8];
+    for (int i = 0; i < 8; ++i) /* of cells i, i + 8: pixel 0 of both, pixel 1 of both ... */
+        a[i] = zipped(votes[i], votes[i + 8]);
+    for (int i = 0; i < 4; ++i) /* of every fourth cell from i on: pixels 0 to 3, pixels 4 to 7 */
+    {
+        b[i] = zipped(a[i].lo, a[i + 4].lo);
+        b[i + 4] = zipped(a[i].hi, a[i + 4].hi);
+    }
+    for (int i = 0; i < 8; i += 4) /* of every other cell: two pixels each */
+        for (int k = 0; k < 2; ++k)
+        {
+            a[i + k] = zipped(b[i + k].lo, b[i + k + 2].lo);
+            a[i + k + 2] = zipped(b[i + k].hi, b[i + k + 2].hi);
+        }
+    __global uchar* out = planes + (size_t)(row * cellWidth + first) * cells + cell;
+    const int count = min(8, cellWidth - first);
+    for (int i = 0; i < count; ++i, out += cells)
+    {
+        const uchar16 even = a[i / 2 * 2], odd = a[i / 2 * 2 + 1];
+        *(__global uchar16*)out = i % 2 ? zipped(even.hi, odd.hi) : zipped(even.lo, odd.lo);
+    }
+}
+
+#else
+
+/* The same where fewer cells stand together, and for devices whose neighbouring work items had
+better write neighbouring bytes. Global size: cells, pixels of a cell. */
+__kernel void gatherPixels(__global const uchar* image, int step, int offset, int rows,
+                           int columns MASK_PARAMETERS, __global const int* corners, int cells,
+                           int pixels, int cellWidth, __global uchar* planes)
 {
     const int cell = get_global_id(0), pixel = get_global_id(1);
     if (cell >= cells || pixel >= pixels)
@@ -36,6 +110,8 @@ __kernel void gatherPixels(__global const uchar* image, int step, int offset, in
     planes[(size_t)pixel * cells + cell] =
         x < columns && y < rows ? votesAt(image, step, offset MASK_ARGUMENTS, x, y) : (uchar)0;
 }
+
+#endif
 
 __kernel void gatherDirections(__global const uchar* image, int step, int offset, int rows,
                                int columns, __global const int* corners, int cells, int pixels,

@@ -185,12 +185,15 @@ __kernel void searchBlocks(__global const VOTES* table, __global const uint* nee
 
 #else
 
-/* Marks the maxima of runs above the cut and counts them by their votes. Global size: runs. */
+/* Marks the maxima of runs above the cut and counts them by their votes: of one run only of
+`sample` that follow one another, and not always the same, as rows of the table may be as long as a
+multiple of them. Global size: runs to search. */
 __kernel void searchMaxima(__global const VOTES* table, int chords, int width,
-                           int height REQUIRED_PARAMETERS, int cut, __global int* histogram,
-                           __global uint* masks)
+                           int height REQUIRED_PARAMETERS, int cut, int sample,
+                           __global int* histogram, __global uint* masks)
 {
-    const int run = get_global_id(0), first = run * RUN;
+    const uint item = get_global_id(0);
+    const int run = item * sample + (item * 2654435769u >> 16) % sample, first = run * RUN;
     if (first >= chords)
         return;
     int most;

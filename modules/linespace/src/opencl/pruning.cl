@@ -163,11 +163,12 @@ __kernel void boundBlocks(__global const BlockSegment* segments, __global const 
 /* Which blocks of the level below are needed, and how many votes a chord must have there so that it
 matters, as far as the parent's needed ones tell; and of these, in a bit each, with which of the
 blocks of the shared side that they cross: bit k for the k-th one, the last bit for all from the
-31st on; all if they cross none. TOP: the parent is the last level, all of whose chords with more
-votes than the cut are needed. Rows and global size as of boundBlocks. */
+32nd on; all bits if they cross none. TOP: the parent is the last level, whose chords with more
+votes than the cut are needed: all, or of a sample of one block of so many. Rows and global size as
+of boundBlocks. */
 __kernel void requireBlocks(__global const BlockSegment* segments, __global const int4* rows,
                             int rowCount, __global const ushort* bounds,
-                            __global const int* required, int cut,
+                            __global const int* required, int cut, int sample,
                             __global const ushort* childBounds, __global int* childRequired,
                             __global uint* needed)
 {
@@ -185,7 +186,9 @@ __kernel void requireBlocks(__global const BlockSegment* segments, __global cons
         for (int c = 0; c < CELLS; ++c)
         {
 #ifdef TOP
-            least[c] = bounds[block * CELLS + c] > cut ? cut + 1 : NOT_NEEDED;
+            const bool isSampled = (block * 2654435769u >> 16) % sample == 0;
+            least[c] =
+                bounds[block * CELLS + c] > cut && isSampled ? cut + 1 : NOT_NEEDED;
 #else
             least[c] = required[block * CELLS + c];
 #endif
@@ -205,6 +208,7 @@ __kernel void requireBlocks(__global const BlockSegment* segments, __global cons
             else
             {
                 const int2 crossed = crossedBlocks(segment, i);
+                const bool sharesBit = crossed.y - crossed.x > 31; /* so all are needed */
                 for (int m = crossed.x; m <= crossed.y; ++m)
                 {
                     const int2 parts = partsOf(segment, i, m);
@@ -212,10 +216,11 @@ __kernel void requireBlocks(__global const BlockSegment* segments, __global cons
                     {
                         const int boundS = childBounds[parts.x + c];
                         const int boundE = childBounds[parts.y + c];
-                        if (boundS + boundE < least[c])
+                        if (least[c] == NOT_NEEDED || (boundS + boundE < least[c] && !sharesBit))
                             continue;
-                        atomic_min(childRequired + parts.x + c, least[c] - boundE);
-                        atomic_min(childRequired + parts.y + c, least[c] - boundS);
+                        /* Not more than the bound: a block that is needed has a bit. */
+                        atomic_min(childRequired + parts.x + c, min(least[c] - boundE, boundS));
+                        atomic_min(childRequired + parts.y + c, min(least[c] - boundS, boundE));
                         bits |= 1u << min(m - crossed.x, 31);
                     }
                 }
