@@ -65,14 +65,12 @@ public:
 
     void detect(InputArray edges, OutputArray lines) CV_OVERRIDE
     {
-        const Gradients none = {false, Mat(), Mat()};
-        detectLines(edges, none, lines);
+        detectLines(edges, Gradients::none(), lines);
     }
 
     void detect(InputArray edges, InputArray dx, InputArray dy, OutputArray lines) CV_OVERRIDE
     {
-        const Gradients gradients = {true, dx.getMat(), dy.getMat()};
-        detectLines(edges, gradients, lines);
+        detectLines(edges, Gradients::of(dx, dy), lines);
     }
 
     void compute(InputArray edges, OutputArray lineSpace) CV_OVERRIDE
@@ -400,10 +398,13 @@ private:
         edges.votes = votingPixels(input.edges.getMat());
         if (gradients.isOriented)
         {
-            gradients.findBits(edges.votes, parameters_.orientationTolerance, images_.estimated,
-                               images_.directions);
+            if (!edges.directionsOnDevice.empty())
+                edges.directionsOnDevice.copyTo(images_.directions);
+            else
+                gradients.findBits(edges.votes, parameters_.orientationTolerance,
+                                   images_.estimated, images_.directions);
             edges.directions = images_.directions;
-            edges.isEstimated = gradients.dx.empty();
+            edges.isEstimated = gradients.areEstimated();
             edges.dx = gradients.dx;
             edges.dy = gradients.dy;
         }
@@ -459,7 +460,7 @@ private:
             CV_Error_(Error::StsUnsupportedFormat, ("the output has type %s: must be CV_32SC1",
                                                     typeToString(out.type()).c_str()));
         EdgeMap map;
-        const Gradients none = {false, Mat(), Mat()};
+        const Gradients none = Gradients::none();
         const Input input = {edges, none};
         Counting counting;
         const MapUse use(*this, counting);
@@ -521,6 +522,18 @@ private:
                (parameters_.threshold > 0 || (mask_.empty() && !parameters_.edgeWeights));
     }
 
+    //! The directions of a map that is on the device, for an executor that works there.
+    void findDirections(Executor& executor, const Input& input, const Plan& plan,
+                        EdgeMap& edges) const
+    {
+        const Gradients& gradients = input.gradients;
+        if ((gradients.areOnDevice() || gradients.areEstimated()) && !edges.source.empty() &&
+            edges.votes.empty() && executor.takesUMats())
+            edges.directionsOnDevice =
+                executor.findDirections(edges, plan, gradients.dxOnDevice, gradients.dyOnDevice,
+                                        parameters_.orientationTolerance);
+    }
+
     //! Copies of the edge map for all that counts and refines on the host.
     void readPlanes(const Input& input, EdgeMap& edges, Counting& counting)
     {
@@ -536,6 +549,7 @@ private:
         runWith(input.edges.isUMat(), counting,
                 [&](Executor& executor)
                 {
+                    findDirections(executor, input, plan, edges);
                     const bool stays = staysOnDevice(input, edges, executor);
                     if (!stays)
                         readEdges(input, edges, counting.times);
@@ -567,6 +581,12 @@ private:
                     const bool hasBits = stays && parameters_.refine != REFINE_NONE;
                     if (hasBits && !candidates.empty())
                         executor.readBits(bits_);
+                    if (input.gradients.areOnDevice() && parameters_.refine != REFINE_NONE)
+                    {
+                        const Gradients read = input.gradients.onHost();
+                        edges.dx = read.dx;
+                        edges.dy = read.dy;
+                    }
                     const std::vector<Selected> chosen =
                         select(edges, plan, requirement, angles, candidates, hasBits);
                     lines.clear();
