@@ -4,7 +4,8 @@
 
 // Calls one function twice, UMat in, UMat out, for test_launches.py, which reads the device's own
 // account of it:
-//   linespace_device_calls compute|detect|recount|exact|houghlines|houghlines-dense IMAGE
+//   linespace_device_calls FUNCTION IMAGE
+// FUNCTION: compute, detect, oriented, recount, exact, houghlines or houghlines-dense.
 // The second call's lines of standard error stand between "warm call begins" and
 // "warm call ends", which may stand in the middle of a line of another thread.
 
@@ -23,7 +24,7 @@ int main(int argc, char** argv)
         return 2;
     }
     const cv::String function = argv[1];
-    cv::Mat image = cv::imread(argv[2], cv::IMREAD_GRAYSCALE), edges;
+    cv::Mat image = cv::imread(argv[2], cv::IMREAD_GRAYSCALE), edges, gradient;
     if (image.empty())
     {
         std::fprintf(stderr, "%s cannot be read\n", argv[2]);
@@ -47,8 +48,12 @@ int main(int argc, char** argv)
         cv::resize(image, image, size, 0, 0, cv::INTER_AREA);
         cv::Canny(image, edges, 50, 150);
     }
-    cv::UMat input, output;
+    cv::UMat input, dx, dy, output;
     edges.copyTo(input);
+    cv::Sobel(image, gradient, CV_32F, 1, 0);
+    gradient.copyTo(dx);
+    cv::Sobel(image, gradient, CV_32F, 0, 1);
+    gradient.copyTo(dy);
     const cv::Ptr<cv::linespace::LineSpaceDetector> detector =
         cv::linespace::LineSpaceDetector::create(edges.rows / 5, 100);
     if (function == "recount")
@@ -67,6 +72,8 @@ int main(int argc, char** argv)
             cv::linespace::HoughLines(input, output, 1, CV_PI / 180, 120);
         else if (function == "houghlines-dense")
             cv::linespace::HoughLines(input, output, 1, CV_PI / 1800, 250);
+        else if (function == "oriented")
+            detector->detect(input, dx, dy, output);
         else
             detector->detect(input, output);
     }

@@ -141,6 +141,17 @@ int main(int argc, char** argv)
         cpu->detect(edges, dx, dy, byCpu);
         automatic->detect(onDevice, dx, dy, found);
         check(same(byCpu, found), "oriented detect", variant, size);
+        for (int type = CV_16S; type <= CV_32F; type += CV_32F - CV_16S)
+        {
+            cv::UMat dxOnDevice, dyOnDevice;
+            dx.convertTo(dxOnDevice, type);
+            dy.convertTo(dyOnDevice, type);
+            automatic->detect(onDevice, dxOnDevice, dyOnDevice, found);
+            check(same(byCpu, found), "detect, gradients on the device", variant, size);
+        }
+        cpu->detect(edges, cv::noArray(), cv::noArray(), byCpu);
+        automatic->detect(onDevice, cv::noArray(), cv::noArray(), found);
+        check(same(byCpu, found), "detect, estimated gradients", variant, size);
         const int levels = variant < 20 ? cpu->getLevelCount() : 0;
         for (int level = 0; level < levels; ++level)
         {

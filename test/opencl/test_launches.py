@@ -77,8 +77,8 @@ class Launches(unittest.TestCase):
     def setUpClass(cls):
         cls.caches = tempfile.TemporaryDirectory()
         cls.accounts = {function: Account(function, cls.caches.name)
-                        for function in ("compute", "detect", "recount", "exact", "houghlines",
-                                         "houghlines-dense")}
+                        for function in ("compute", "detect", "oriented", "recount", "exact",
+                                         "houghlines", "houghlines-dense")}
 
     @classmethod
     def tearDownClass(cls):
@@ -104,6 +104,10 @@ class Launches(unittest.TestCase):
         self.expect("detect", CASCADE + ["poolBlocks"] + PRUNING + blocks(SEARCH) + ASCENT,
                     self.accounts["detect"].levels() - 1 - PRUNED_LEVELS,
                     PRUNING + blocks(SAMPLE))
+
+    def test_detect_with_gradients(self):
+        self.expect("oriented", CASCADE + ["findDirections", "gatherDirections"],
+                    self.accounts["oriented"].levels() - 1)
 
     def test_candidates_that_are_counted_again(self):
         self.expect("recount", CASCADE + SEARCH + PACKING + ["countCandidates"],

@@ -65,14 +65,12 @@ public:
 
     void detect(InputArray edges, OutputArray lines) CV_OVERRIDE
     {
-        const Gradients none = {false, Mat(), Mat()};
-        detectLines(edges, none, lines);
+        detectLines(edges, Gradients::none(), lines);
     }
 
     void detect(InputArray edges, InputArray dx, InputArray dy, OutputArray lines) CV_OVERRIDE
     {
-        const Gradients gradients = {true, dx.getMat(), dy.getMat()};
-        detectLines(edges, gradients, lines);
+        detectLines(edges, Gradients::of(dx, dy), lines);
     }
 
     void detectTexture(unsigned int texture, OutputArray lines) CV_OVERRIDE
@@ -411,10 +409,13 @@ private:
         edges.votes = votingPixels(input.edges.getMat());
         if (gradients.isOriented)
         {
-            gradients.findBits(edges.votes, parameters_.orientationTolerance, images_.estimated,
-                               images_.directions);
+            if (!edges.directionsOnDevice.empty())
+                edges.directionsOnDevice.copyTo(images_.directions);
+            else
+                gradients.findBits(edges.votes, parameters_.orientationTolerance, images_.estimated,
+                                   images_.directions);
             edges.directions = images_.directions;
-            edges.isEstimated = gradients.dx.empty();
+            edges.isEstimated = gradients.areEstimated();
             edges.dx = gradients.dx;
             edges.dy = gradients.dy;
         }
@@ -424,7 +425,7 @@ private:
     void detectTaken(unsigned int texture, Size size, EdgeMap& map, Counting& counting,
                      OutputArray lines)
     {
-        const Gradients none = {false, Mat(), Mat()};
+        const Gradients none = Gradients::none();
         prepare("texture", size, none, -1, false, map, counting);
         {
             const WorkingTime time(*counting.executor);
@@ -499,7 +500,7 @@ private:
             CV_Error_(Error::StsUnsupportedFormat, ("the output has type %s: must be CV_32SC1",
                                                     typeToString(out.type()).c_str()));
         EdgeMap map;
-        const Gradients none = {false, Mat(), Mat()};
+        const Gradients none = Gradients::none();
         const Input input = {edges, none};
         Counting counting;
         prepare(input, level, true, map, counting);
@@ -561,6 +562,18 @@ private:
                (parameters_.threshold > 0 || (mask_.empty() && !parameters_.edgeWeights));
     }
 
+    //! The directions of a map that is on the device, for an executor that works there.
+    void findDirections(Executor& executor, const Input& input, const Plan& plan,
+                        EdgeMap& edges) const
+    {
+        const Gradients& gradients = input.gradients;
+        if ((gradients.areOnDevice() || gradients.areEstimated()) && !edges.source.empty() &&
+            edges.votes.empty() && executor.takesUMats())
+            edges.directionsOnDevice =
+                executor.findDirections(edges, plan, gradients.dxOnDevice, gradients.dyOnDevice,
+                                        parameters_.orientationTolerance);
+    }
+
     //! Copies of the edge map for all that counts and refines on the host.
     void readPlanes(const Input& input, EdgeMap& edges, Counting& counting)
     {
@@ -576,6 +589,7 @@ private:
         runWith(input.edges.isUMat(), counting,
                 [&](Executor& executor)
                 {
+                    findDirections(executor, input, plan, edges);
                     const bool stays = staysOnDevice(input, edges, executor);
                     if (!stays)
                         readEdges(input, edges, counting.times);
@@ -606,6 +620,12 @@ private:
                     const bool hasBits = stays && parameters_.refine != REFINE_NONE;
                     if (hasBits && !candidates.empty())
                         executor.readBits(bits_);
+                    if (input.gradients.areOnDevice() && parameters_.refine != REFINE_NONE)
+                    {
+                        const Gradients read = input.gradients.onHost();
+                        edges.dx = read.dx;
+                        edges.dy = read.dy;
+                    }
                     const std::vector<Selected> chosen =
                         select(edges, plan, requirement, angles, candidates, hasBits);
                     lines.clear();

@@ -10,6 +10,7 @@
 
 #include "cell_chords.hpp"
 #include "ocl_ascent.hpp"
+#include "ocl_directions.hpp"
 #include "ocl_houghlines.hpp"
 #include "ocl_launch.hpp"
 #include "ocl_maxima.hpp"
@@ -253,6 +254,14 @@ public:
         download(sums_, votes.size() * sizeof(int), votes.data());
     }
 
+    UMat findDirections(const EdgeMap& edges, const Plan& plan, const UMat& dx, const UMat& dy,
+                        double tolerance) CV_OVERRIDE
+    {
+        prepare(plan);
+        return dx.empty() ? deviceDirections_.estimate(votesOf(edges), tolerance)
+                          : deviceDirections_.find(votesOf(edges), dx, dy, tolerance);
+    }
+
     bool countGridLines(const EdgeMap& edges, const Plan& plan, const HoughGrid& grid,
                         int threshold, std::vector<GridLine>& found) CV_OVERRIDE
     {
@@ -338,7 +347,9 @@ private:
     DevicePixels votesOf(const EdgeMap& edges)
     {
         DevicePixels votes;
-        if (edges.isOriented())
+        if (!edges.directionsOnDevice.empty())
+            votes.directions = edges.directionsOnDevice;
+        else if (edges.isOriented())
         {
             edges.directions.copyTo(directions_);
             votes.directions = directions_;
@@ -454,6 +465,7 @@ private:
     DevicePruning pruning_;
     DeviceMaxima maxima_;
     DeviceAscent ascent_;
+    DeviceDirections deviceDirections_;
     Ptr<DeviceHoughLines> houghLines_; //!< empty until it is needed
 };
 

@@ -36,6 +36,8 @@ const ocl::ProgramSource& sourceOf(DeviceProgram program)
     static const ocl::ProgramSource ascent = joined({chords_oclsrc, pixels_oclsrc, ascent_oclsrc}),
                                     cascade =
                                         joined({chords_oclsrc, pixels_oclsrc, cascade_oclsrc}),
+                                    directions =
+                                        joined({chords_oclsrc, pixels_oclsrc, directions_oclsrc}),
                                     houghlines = joined({chords_oclsrc, houghlines_oclsrc}),
                                     maxima = joined({chords_oclsrc, maxima_oclsrc}),
                                     pruning = joined({chords_oclsrc, pruning_oclsrc}),
@@ -44,6 +46,7 @@ const ocl::ProgramSource& sourceOf(DeviceProgram program)
     {
     case ASCENT_PROGRAM: return ascent;
     case CASCADE_PROGRAM: return cascade;
+    case DIRECTIONS_PROGRAM: return directions;
     case HOUGHLINES_PROGRAM: return houghlines;
     case MAXIMA_PROGRAM: return maxima;
     case PRUNING_PROGRAM: return pruning;
@@ -58,14 +61,18 @@ const char* typeOf(int depth)
     return depth == 1 ? "uchar" : depth == 2 ? "ushort" : "int";
 }
 
+void checkAllocation(double bytes)
+{
+    if (bytes > std::min<size_t>(ocl::Device::getDefault().maxMemAllocSize(), INT_MAX))
+        throw DeviceFailure(format("%.0f bytes are more than the device gives at once", bytes));
+}
+
 void allocateOn(UMat& memory, size_t bytes)
 {
     if (bytes <= (size_t)memory.cols)
         return;
     memory.release();
-    if (bytes > std::min<size_t>(ocl::Device::getDefault().maxMemAllocSize(), INT_MAX))
-        throw DeviceFailure(
-            format("%.0f bytes are more than the device gives at once", (double)bytes));
+    checkAllocation((double)bytes);
     memory.create(1, (int)bytes, CV_8UC1);
 }
 

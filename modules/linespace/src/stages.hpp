@@ -86,7 +86,8 @@ struct EdgeMap
     //! CV_16UC1 of the same size, continuous: a pixel votes for the chords of the bins in its bits
     //! (orientation.hpp); empty: for all.
     Mat directions;
-    bool isEstimated; //!< the directions, from the edge pixels themselves
+    UMat directionsOnDevice; //!< the same where the source is; may be empty
+    bool isEstimated;        //!< the directions, from the edge pixels themselves
     //! The gradients as they were given, CV_16SC1 or CV_32FC1 of the same size, for the refinement;
     //! empty: none were.
     Mat dx, dy;
@@ -134,6 +135,15 @@ public:
 
     //! Whether it works where the data of a UMat are: it reads EdgeMap::source, and writeTable() works.
     virtual bool takesUMats() const { return false; }
+
+    /** The directions of a map (directionBits) from gradients that are on the device, as its source is,
+    or from those that are estimated, if these are empty; they stay valid until the next call.
+    @return an empty array if the host is to find them, or what is wrong with the gradients. */
+    virtual UMat findDirections(const EdgeMap&, const Plan&, const UMat& /*dx*/, const UMat& /*dy*/,
+                                double /*tolerance*/)
+    {
+        return UMat();
+    }
 
     //! Makes room for a level's votes of so many bytes, where the stages want them.
     virtual void allocate(const Level& level, int bytesPerVote, VoteTable& table)
