@@ -611,10 +611,10 @@ void GlLaunch::run(const std::vector<int>& numbers, size_t groups)
     if (rows > most)
         throw DeviceFailure(format("%.0f work groups are more than the device launches",
                                    (double)groups));
-    queue(numbers, (unsigned)columns, (unsigned)rows, false);
+    queue(numbers, (unsigned)columns, (unsigned)rows, 1, false);
 }
 
-void GlLaunch::runRows(std::vector<int> numbers, int items, int rows, bool isBeside)
+void GlLaunch::runRows(std::vector<int> numbers, int items, int rows, int layers, bool isBeside)
 {
     const int most = (int)std::min<int64>(device_.limits().groups, INT_MAX / GlDevice::GROUP);
     for (int row = 0; row < rows; row += most)
@@ -624,19 +624,27 @@ void GlLaunch::runRows(std::vector<int> numbers, int items, int rows, bool isBes
             numbers[1] = row;
             const int groups = (items - item - 1) / GlDevice::GROUP + 1;
             queue(numbers, (unsigned)std::min(groups, most), (unsigned)std::min(rows - row, most),
-                  isBeside);
+                  (unsigned)layers, isBeside);
             isBeside = true;
         }
 }
 
-void GlLaunch::queue(const std::vector<int>& numbers, unsigned columns, unsigned rows, bool isBeside)
+GlLaunch& GlLaunch::fours(const std::vector<Vec4i>& numbers)
+{
+    device_.call("glUniform4iv", device_.gl_.Uniform4iv, (gl::GLint)GlDevice::NUMBERS,
+                 (gl::GLsizei)numbers.size(), numbers.front().val);
+    return *this;
+}
+
+void GlLaunch::queue(const std::vector<int>& numbers, unsigned columns, unsigned rows,
+                     unsigned layers, bool isBeside)
 {
     CV_DbgAssert(numbers.size() <= (size_t)GlDevice::NUMBERS);
     const gl::Functions& gl = device_.gl_;
     if (!isBeside)
         device_.call("glMemoryBarrier", gl.MemoryBarrier, gl::SHADER_STORAGE_BARRIER_BIT);
     device_.call("glUniform1iv", gl.Uniform1iv, 0, (gl::GLsizei)numbers.size(), numbers.data());
-    device_.call("glDispatchCompute", gl.DispatchCompute, columns, rows, 1u);
+    device_.call("glDispatchCompute", gl.DispatchCompute, columns, rows, layers);
 }
 
 std::string define(const char* name, int value)

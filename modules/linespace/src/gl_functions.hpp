@@ -117,6 +117,7 @@ enum
     F(void, UseProgram, (GLuint))                                                                  \
     F(void, DeleteProgram, (GLuint))                                                               \
     F(void, Uniform1iv, (GLint, GLsizei, const GLint*))                                            \
+    F(void, Uniform4iv, (GLint, GLsizei, const GLint*))                                            \
     F(void, DispatchCompute, (GLuint, GLuint, GLuint))                                             \
     F(void, MemoryBarrier, (GLbitfield))                                                           \
     F(GLsync, FenceSync, (GLenum, GLbitfield))                                                     \
