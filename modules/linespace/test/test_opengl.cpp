@@ -116,6 +116,57 @@ TEST_F(Linespace_OpenGl, the_strongest_candidates)
     }
 }
 
+//! Of so many chords that a sample tells the cut, and so few candidates that it is often too high; lines
+//! near stronger ones are dropped, so that the weakest candidate may be reported.
+TEST_F(Linespace_OpenGl, a_cut_that_is_too_high)
+{
+    for (int i = 0; i < 40; ++i)
+    {
+        const Mat1b image = randomEdges(Size(150 + i, 190 - i), 0.3, (unsigned)i);
+        Lines lines[2];
+        const int backends[] = {BACKEND_CPU, BACKEND_OPENGL};
+        for (int k = 0; k < 2; ++k)
+        {
+            const Ptr<LineSpaceDetector> detector = detectorFor(backends[k]);
+            detector->setMaxLines(1 + i % 3);
+            detector->setPoolSize(1 + 2 * i);
+            detector->setSuppressionRadius(i % 2 ? 0 : 2);
+            detector->setSuppressionDistance(80);
+            detector->detect(image, lines[k]);
+        }
+        ASSERT_EQ(lines[0], lines[1]) << i;
+    }
+}
+
+TEST_F(Linespace_OpenGl, stages_add_up_to_the_whole)
+{
+    const Mat1b image = randomEdges(Size(300, 200), 0.1, 3);
+    const Ptr<LineSpaceDetector> detector = detectorFor(BACKEND_OPENGL);
+    double best = 0;
+    for (int round = 0; round < 5; ++round)
+    {
+        Lines lines;
+        const double begin = (double)getTickCount();
+        detector->detect(image, lines);
+        const double whole = ((double)getTickCount() - begin) * 1e3 / getTickFrequency();
+        std::vector<String> names;
+        std::vector<double> milliseconds;
+        detector->getStageTimes(names, milliseconds);
+        double sum = 0, votes = 0;
+        for (size_t i = 0; i < names.size(); ++i)
+        {
+            EXPECT_GE(milliseconds[i], 0) << names[i];
+            sum += milliseconds[i];
+            votes += names[i].find("level") == 0 ? milliseconds[i] : 0;
+        }
+        EXPECT_EQ(detector->getLevelCount() + 4, (int)names.size());
+        EXPECT_LE(sum, 1.01 * whole);
+        EXPECT_GT(votes, 0);
+        best = std::max(best, sum / whole);
+    }
+    EXPECT_GT(best, 0.8);
+}
+
 TEST_F(Linespace_OpenGl, full_hd)
 {
     const Size size(1920, 1080);
@@ -450,6 +501,15 @@ TEST_P(Linespace_OpenGl_Context, contexts_take_turns)
         EXPECT_EQ(expected, lines);
         EXPECT_EQ(BACKEND_OPENGL, detector->getActiveBackend());
         EXPECT_EQ(before, TestContext::current());
+    }
+    // Both have been worked in: the test itself has made no buffers.
+    for (TestContext* context : {&first, &second})
+    {
+        context->makeCurrent();
+        int buffers = 0;
+        for (gl::GLuint name = 1; name < 100; ++name)
+            buffers += context->gl().IsBuffer(name) ? 1 : 0;
+        EXPECT_GT(buffers, 0);
     }
 }
 
