@@ -2,12 +2,12 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// Lines of what a graphics application draws, found where it is: a scene of boxes that turn is drawn
-// off-screen by OpenGL, a compute shader marks its edges in a texture, and detectTexture finds their
-// lines. Only then is the picture read, to draw the lines over it:
+// Lines of what a graphics application draws, found where it is: a scene of boxes that turn is
+// drawn off-screen by OpenGL, a compute shader marks its edges in a texture, and detectTexture
+// finds their lines. Only then is the picture read, to draw the lines over it:
 //   linespace_moving_scene OUTPUT [FRAMES]
-// OUTPUT is a folder, for frame000.png and so on, or a video, NAME.avi. It needs libepoxy (which finds
-// the functions of OpenGL) and EGL; the library itself needs neither.
+// OUTPUT is a folder, for frame000.png and so on, or a video, NAME.avi. It needs libepoxy (which
+// finds the functions of OpenGL) and EGL; the library itself needs neither.
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
@@ -157,7 +157,8 @@ class Scene
 {
 public:
     Scene()
-        : boxes_(programOf({{GL_VERTEX_SHADER, vertexShader}, {GL_FRAGMENT_SHADER, fragmentShader}})),
+        : boxes_(
+              programOf({{GL_VERTEX_SHADER, vertexShader}, {GL_FRAGMENT_SHADER, fragmentShader}})),
           marker_(programOf({{GL_COMPUTE_SHADER, edgeShader}}))
     {
         picture_ = texture(GL_R8);

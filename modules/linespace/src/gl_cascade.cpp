@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// Tables are in the order of stages.hpp, [chord][cell], in words of 32 bits: the votes of consecutive
-// cells share a word, the first in its lowest bits, and a chord has at least one word, so that those
-// of the last table, of one cell, have one each.
+// Tables are in the order of stages.hpp, [chord][cell], in words of 32 bits: the votes of
+// consecutive cells share a word, the first in its lowest bits, and a chord has at least one word,
+// so that those of the last table, of one cell, have one each.
 
 #include "gl_cascade.hpp"
 
@@ -61,7 +61,7 @@ public:
     }
 
     int backend() const CV_OVERRIDE { return BACKEND_OPENGL; }
-    bool isUsable() const CV_OVERRIDE { return device_->isForThisThread(); }
+    bool isUsable() const CV_OVERRIDE { return device_->isForThisThread() && device_->works(); }
     void begin() CV_OVERRIDE
     {
         device_->begin();
@@ -106,20 +106,19 @@ public:
         if (table.depth > 2)
             throw DeviceFailure("a cell has too many votes for 16-bit numbers");
         const int lanes = logOf(std::min<size_t>(wordsOf(table), GlDevice::GROUP));
-        forEachPart(
-            table,
-            [&](int first, int count, size_t offset, size_t bytes)
-            {
-                GlLaunch launch(*device_, GL_FIRST_CELLS,
-                                define("PARENT_BITS", 8 * table.depth) +
-                                    (isOriented ? orientedOptions() : std::string()));
-                launch.block(planes_).block(bufferOf(table), offset, bytes);
-                if (isOriented)
-                    launch.block(directionPlanes_);
-                launch.runItems({first, count, level.cell.width, level.cell.height, lanes,
-                                 (int)wordsOf(table), (int)words, (int)directionWords},
-                                (size_t)count << lanes);
-            });
+        forEachPart(table,
+                    [&](int first, int count, size_t offset, size_t bytes)
+                    {
+                        GlLaunch launch(*device_, GL_FIRST_CELLS,
+                                        define("PARENT_BITS", 8 * table.depth) +
+                                            (isOriented ? orientedOptions() : std::string()));
+                        launch.block(planes_).block(bufferOf(table), offset, bytes);
+                        if (isOriented)
+                            launch.block(directionPlanes_);
+                        launch.runItems({first, count, level.cell.width, level.cell.height, lanes,
+                                         (int)wordsOf(table), (int)words, (int)directionWords},
+                                        (size_t)count << lanes);
+                    });
     }
 
     void mergeCells(const Plan& plan, int l, const VoteTable& child, VoteTable& parent,
@@ -127,9 +126,12 @@ public:
     {
         const size_t words = wordsOf(parent);
         // Of the child's votes that come to a word of the parent.
-        const int bits = 8 * child.depth *
-                         (int)std::min<size_t>(parent.cells, sizeof(uint) / parent.depth);
-        Merging merging = {child, parent, std::string(), (int)words,
+        const int bits =
+            8 * child.depth * (int)std::min<size_t>(parent.cells, sizeof(uint) / parent.depth);
+        Merging merging = {child,
+                           parent,
+                           std::string(),
+                           (int)words,
                            logOf(std::min<size_t>(words, GlDevice::GROUP)),
                            bits == 32 ? -1 : (int)((1u << bits) - 1)};
         merging.options = windowOptions(device_->limits(), bytesOf(child)) +
@@ -214,8 +216,7 @@ public:
         return device_->bindTexture(texture, isInteger);
     }
 
-    void takeTexture(unsigned int texture, bool weighted, const Mat& mask,
-                     Mat& votes) CV_OVERRIDE
+    void takeTexture(unsigned int texture, bool weighted, const Mat& mask, Mat& votes) CV_OVERRIDE
     {
         bool isInteger;
         const Size size = device_->bindTexture(texture, isInteger);
@@ -286,7 +287,8 @@ private:
     };
 
     /** Rectangles of one kind and shape.
-    @param offset,bytes of the part of the parent's table that has them; their starts count from there. */
+    @param offset,bytes of the part of the parent's table that has them; their starts count from
+    there. */
     void mergeAtOnce(const Merging& merging, const std::vector<MergeRectangle>& rectangles,
                      size_t offset, size_t bytes, bool isBeside)
     {
@@ -427,7 +429,8 @@ private:
     }
 
     //! After the blocks that all have.
-    void countExactly(const EdgeMap& edges, const Plan& plan, GlLaunch& launch, int first, int count)
+    void countExactly(const EdgeMap& edges, const Plan& plan, GlLaunch& launch, int first,
+                      int count)
     {
         if (edges.isOriented())
             launch.blockAt(3, directions_);

@@ -182,18 +182,8 @@ GlDevice::~GlDevice()
 Ptr<GlDevice> GlDevice::take()
 {
     while (const Ptr<GlDevice> idle = IdleDevices::instance().take())
-    {
-        try
-        {
-            idle->begin();
-            idle->end();
+        if (idle->works())
             return idle;
-        }
-        catch (const DeviceFailure&)
-        {
-            // Of a context that was destroyed and whose handle has come again.
-        }
-    }
     GlContext context = GlContext::current();
     if (context.isNone())
         context = GlContext::headless();
@@ -204,18 +194,8 @@ void GlDevice::giveBack(const Ptr<GlDevice>& device)
 {
     if (device->isLost_)
         return;
-    if (!device->isCallers() || device->context_.isCurrent())
-    {
-        try
-        {
-            device->begin();
-            device->end();
-        }
-        catch (const DeviceFailure&)
-        {
-            return;
-        }
-    }
+    if ((!device->isCallers() || device->context_.isCurrent()) && !device->works())
+        return;
     IdleDevices::instance().add(device);
 }
 
@@ -223,6 +203,20 @@ bool GlDevice::isForThisThread() const
 {
     const GlContext current = GlContext::current();
     return !isLost_ && (current.isNone() ? !isCallers() : isCallers() && context_.isSame(current));
+}
+
+bool GlDevice::works()
+{
+    try
+    {
+        begin(); // which also frees what is not needed any more
+        end();
+        return true;
+    }
+    catch (const DeviceFailure&)
+    {
+        return false; // the context was destroyed, and its handle may have come again
+    }
 }
 
 void GlDevice::begin()
@@ -497,8 +491,7 @@ std::vector<double> GlDevice::laps()
 void GlDevice::finish()
 {
     call("glMemoryBarrier", gl_.MemoryBarrier, gl::BUFFER_UPDATE_BARRIER_BIT);
-    const gl::GLsync fence =
-        call("glFenceSync", gl_.FenceSync, gl::SYNC_GPU_COMMANDS_COMPLETE, 0u);
+    const gl::GLsync fence = call("glFenceSync", gl_.FenceSync, gl::SYNC_GPU_COMMANDS_COMPLETE, 0u);
     const gl::GLuint64 second = 1000000000;
     gl::GLenum state;
     do
@@ -589,10 +582,9 @@ GlLaunch& GlLaunch::block(const GlBuffer& buffer, size_t offset, size_t bytes)
 {
     const size_t rounded = std::min((bytes + 15) / 16 * 16, buffer.bytes() - offset);
     if (bytes > device_.limits().blockBytes || (int)next_ >= device_.limits().blocks)
-        throw DeviceFailure(format("%.0f bytes are more than a shader of this device can reach",
-                                   (double)bytes));
-    device_.bindBlock(next_++, buffer, offset,
-                      std::min(rounded, device_.limits().blockBytes));
+        throw DeviceFailure(
+            format("%.0f bytes are more than a shader of this device can reach", (double)bytes));
+    device_.bindBlock(next_++, buffer, offset, std::min(rounded, device_.limits().blockBytes));
     return *this;
 }
 
@@ -609,8 +601,8 @@ void GlLaunch::run(const std::vector<int>& numbers, size_t groups)
     const size_t most = device_.limits().groups, columns = std::min(groups, most),
                  rows = (groups + columns - 1) / columns;
     if (rows > most)
-        throw DeviceFailure(format("%.0f work groups are more than the device launches",
-                                   (double)groups));
+        throw DeviceFailure(
+            format("%.0f work groups are more than the device launches", (double)groups));
     queue(numbers, (unsigned)columns, (unsigned)rows, 1, false);
 }
 

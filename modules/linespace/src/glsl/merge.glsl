@@ -2,14 +2,14 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// One level of the cascade from the one below, in rectangles of chords (merge_rectangles.hpp): indices
-// are affine there, so that a chord costs one division and no branch. What a chord of the parent is
-// made of is computed where it is needed: a table of that would be larger than the votes. The votes of
-// as many cells as share a word are added at once. LANES invocations share a chord and take its words
-// in turns. Groups: columns times lanes, rows, rectangles of one shape.
+// One level of the cascade from the one below, in rectangles of chords (merge_rectangles.hpp):
+// indices are affine there, so that a chord costs one division and no branch. What a chord of the
+// parent is made of is computed where it is needed: a table of that would be larger than the votes.
+// The votes of as many cells as share a word are added at once. LANES invocations share a chord and
+// take its words in turns. Groups: columns times lanes, rows, rectangles of one shape.
 //
-// CHILD_BITS, PARENT_BITS: of a vote, 8, 16 or 32. CROSSING: the chords have a part in either child.
-// The windows show the child's table.
+// CHILD_BITS, PARENT_BITS: of a vote, 8, 16 or 32. CROSSING: the chords have a part in either
+// child. The windows show the child's table.
 
 layout(std430, binding = BLOCK_A) writeonly buffer Parent { uint parent[]; };
 
@@ -45,7 +45,7 @@ void main()
     if (b >= shape.x || a >= shape.y)
         return;
     ivec4 s = rectangles[first + 1]; /* child, part, step, how it changes with the crossing */
-    ivec4 e = rectangles[first + 2]; /* the part's step in a chord of one child; part, step, change */
+    ivec4 e = rectangles[first + 2]; /* step where nothing crosses; part, step, change */
     int to = (shape.z + a * shape.w + b) * PARENT_WORDS;
 #ifdef CROSSING
     ivec4 atS = rectangles[first + 3], atE = rectangles[first + 4]; /* along, step, across, step */
