@@ -81,7 +81,9 @@ Ptr<Executor> executorFor(int backend, bool isUMat, const Ptr<Executor>& kept)
     }
     catch (const DeviceFailure& failure)
     {
-        return substituteFor(isNamed ? backend : (int)BACKEND_AUTO, failure);
+        if (isNamed)
+            return substituteFor(backend, failure);
+        return kept && kept->backend() == BACKEND_CPU ? kept : createCpuExecutor();
     }
 }
 
