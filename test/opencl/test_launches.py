@@ -106,8 +106,8 @@ class Launches(unittest.TestCase):
                     PRUNING + blocks(SAMPLE))
 
     def test_detect_with_gradients(self):
-        self.expect("oriented", CASCADE + ["findDirections", "gatherDirections"],
-                    self.accounts["oriented"].levels() - 1)
+        self.expect("oriented", CASCADE + ["findDirections", "gatherDirections"] + ASCENT,
+                    self.accounts["oriented"].levels() - 1 - PRUNED_LEVELS)
 
     def test_candidates_that_are_counted_again(self):
         self.expect("recount", CASCADE + SEARCH + PACKING + ["countCandidates"],
