@@ -11,7 +11,8 @@
 #   install_packages.sh benchmark what perf/run.sh takes on top of run
 set -euo pipefail
 
-run=(g++ cmake ninja-build libopencv-dev nlohmann-json3-dev libcli11-dev opencv-doc)
+# libepoxy: of the sample that draws with OpenGL.
+run=(g++ cmake ninja-build libopencv-dev nlohmann-json3-dev libcli11-dev opencv-doc libepoxy-dev)
 test=(
     pkg-config python3 python3-dev python3-numpy xz-utils
     # A software device for OpenCL and one for OpenGL without a display.

@@ -135,8 +135,8 @@ int main(int argc, char** argv)
         ->check(CLI::ExistingDirectory);
     app.add_option("--output", settings.output, "Folder to write to")->excludes(serveOption);
     app.add_option("--only", only, "Names of sections to run; all without it")
-        ->check(CLI::IsMember({"photographs", "paper", "opencl", "opengl", "sizes", "densities", "threads",
-                               "instruction-sets", "stages", "memory"}));
+        ->check(CLI::IsMember({"photographs", "paper", "opencl", "opengl", "sizes", "densities",
+                               "threads", "instruction-sets", "stages", "memory"}));
     app.add_option("--newer-python", settings.newerPython, "A Python with a newer cv2")
         ->envname("LINESPACE_NEWER_OPENCV_PYTHON");
     app.add_option("--turns", settings.turns, "Most calls of a method on one input")

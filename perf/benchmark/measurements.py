@@ -31,6 +31,7 @@ class Run:
         self.work = _read(folder / "stage-work.csv")
         self.limits = _read(folder / "limits.csv")
         self.memory = _read(folder / "memory.csv")
+        self.opengl_work = _read(folder / "opengl-work.csv")
 
     def section(self, name):
         return self.times[self.times["section"] == name]

@@ -4,6 +4,7 @@
 
 #include "sections.hpp"
 
+#include "stage_work.hpp"
 #include "turns.hpp"
 
 #include "common/peak_memory.hpp"
@@ -124,6 +125,13 @@ void timeOpenGl(const Settings& settings, Recorder& recorder)
             append(calls, detections(input, {Kind::EXACT, Kind::UNPRUNED}));
             timeInTurn("opengl", input, calls, settings, recorder);
         }
+    CsvFile file(settings.output + "/opengl-work.csv",
+                 "n,stage,loads,stores,adds,shared_loads,fused_loads");
+    for (const int n : settings.some<int>({64, 128, 256, 512}, 2))
+        for (const WordWork& work : wordWork({n, n}, 8))
+            file.row(n, work.stage, work.loads, work.stores, work.adds, work.sharedLoads,
+                     work.fusedLoads);
+    file.close();
 }
 
 void timeSizes(const Settings& settings, Recorder& recorder)

@@ -161,6 +161,34 @@ cells, merges and both by the device's own clock; *lines*: all of `detect`. *CPU
                   *(milliseconds(value.get(method, math.nan))
                     for method in ("Line Space exact", requirements.UNPRUNED)))
     report.table(table)
+    _write_words(report)
+
+
+def _write_words(report):
+    """What BACKEND_OPENGL has to do, and what other ways of merging would."""
+    words = report.run.opengl_work
+    if words is None:
+        return
+    table = Table("opengl-work", "Words of 32 bits, 10^6: what OpenGL loads, stores and adds; what tiles of 8 x 8 chords would load that "
+                  "share their parts in the memory of their group; what steps of 2 x 2 cells would load (l), and store",
+                  ["n", "exact, adds", "first cells, adds", "merges, loads", "stores", "adds",
+                   "exact over cascade, adds", "loads with shared memory", "loads of 2 x 2 steps",
+                   "stores of 2 x 2 steps"])
+    for n, here in words.groupby("n", sort=False):
+        exact = here[here["stage"] == "exact"]["adds"].sum()
+        cells = here[here["stage"] == "level 0"]["adds"].sum()
+        merges = here[here["shared_loads"] > 0]
+        # The upper ones of pairs from the last level down, and a lower one that has no partner.
+        upper = merges.iloc[::-1].iloc[::2]
+        alone = upper[upper["fused_loads"] == 0]
+        fused = upper["fused_loads"].sum() + alone["loads"].sum()
+        table.add(n, *(number(value / 1e6, 2) for value in
+                       (exact, cells, merges["loads"].sum(), merges["stores"].sum(),
+                        merges["adds"].sum())),
+                  number(exact / (cells + merges["adds"].sum()), 1),
+                  *(number(value / 1e6, 2) for value in
+                    (merges["shared_loads"].sum(), fused, upper["stores"].sum())))
+    report.table(table)
 
 
 def write_sizes(report):

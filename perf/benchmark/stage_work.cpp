@@ -5,9 +5,12 @@
 #include "stage_work.hpp"
 
 // The library's own geometry, compiled into this program, since it is not exported.
+#include "merge_rectangles.hpp"
 #include "plan.hpp"
 
+#include <algorithm>
 #include <climits>
+#include <set>
 
 namespace benchmark {
 
@@ -66,7 +69,121 @@ StageWork mergeOf(const ls::Plan& plan, int l)
             bytesPerVote(parent)};
 }
 
+//! Calls visit(chord) for all chords of a cell.
+template<class Visit>
+void forEachChord(const ls::Cell& cell, Visit visit)
+{
+    for (int s = 0; s < cell.firstPoint(ls::SIDE_LEFT); ++s)
+        for (int e = cell.firstPartner(cell.sideOf(s)); e < cell.borderCount(); ++e)
+            visit(ls::Chord{s, e});
+}
+
+//! Pixels of all chords.
+double pixelsOfChords(const ls::Cell& cell)
+{
+    double pixels = 0;
+    forEachChord(cell, [&](ls::Chord chord) { pixels += ls::Raster(cell, chord).count; });
+    return pixels;
+}
+
+double wordsOfChord(const ls::Level& level)
+{
+    return std::max(1., (double)level.cellCount() * bytesPerVote(level) / 4);
+}
+
+bool isCrossing(const ls::Merge& merge, int p, int q)
+{
+    return merge.childOf(p) != merge.childOf(q);
+}
+
+//! Different parts of the chords of tiles of 8 x 8 of a rectangle, at either end.
+double partsOfTiles(const ls::Merge& merge, const ls::MergeRectangle& all, int s0, int e0)
+{
+    if (!all.isCrossing)
+        return (double)all.rows * all.columns;
+    enum
+    {
+        SIDE = 8
+    };
+    double parts = 0;
+    for (int a = 0; a < all.rows; a += SIDE)
+        for (int b = 0; b < all.columns; b += SIDE)
+        {
+            std::set<std::pair<int, int>> atS, atE;
+            for (int i = a; i < std::min(all.rows, a + SIDE); ++i)
+                for (int k = b; k < std::min(all.columns, b + SIDE); ++k)
+                {
+                    const int m = merge.crossing(s0 + i, e0 + k);
+                    atS.insert({i, m});
+                    atE.insert({k, m});
+                }
+            parts += (double)(atS.size() + atE.size());
+        }
+    return parts;
+}
+
+WordWork mergeInWords(const ls::Plan& plan, int l)
+{
+    const ls::Merge merge = plan.merge(l);
+    const double words = wordsOfChord(plan.level(l));
+    WordWork work = {"level " + std::to_string(l), 0, 0, 0, 0, 0};
+    const bool hasBelow = l > 1;
+    const ls::Merge below = hasBelow ? plan.merge(l - 1) : ls::Merge();
+    const auto partsBelow = [&](int p, int q)
+    {
+        return hasBelow && isCrossing(below, p, q) ? 2 : 1;
+    };
+    forEachChord(merge.parent,
+                 [&](ls::Chord chord)
+                 {
+                     const int p = merge.childPoint(chord.s), q = merge.childPoint(chord.e);
+                     work.stores += words;
+                     if (!isCrossing(merge, chord.s, chord.e))
+                     {
+                         work.loads += words;
+                         work.fusedLoads += words * partsBelow(p, q);
+                         return;
+                     }
+                     const int m = merge.crossing(chord.s, chord.e);
+                     work.loads += 2 * words;
+                     work.adds += words;
+                     work.fusedLoads +=
+                         words *
+                         (partsBelow(p, merge.sharedPoint(merge.childOf(chord.s), m)) +
+                          partsBelow(q, merge.sharedPoint(merge.childOf(chord.e), m)));
+                 });
+    if (!hasBelow)
+        work.fusedLoads = 0;
+    for (const ls::MergeRectangle& rectangle : ls::mergeRectangles(merge))
+    {
+        // Its first chord, from its index.
+        int s = 0;
+        while (s + 1 < merge.parent.firstPoint(ls::SIDE_LEFT) &&
+               merge.parent.rowStart(s + 1) <= rectangle.start)
+            ++s;
+        const int e = merge.parent.firstPartner(merge.parent.sideOf(s)) +
+                      (int)(rectangle.start - merge.parent.rowStart(s));
+        work.sharedLoads += words * partsOfTiles(merge, rectangle, s, e);
+    }
+    return work;
+}
+
 } // namespace
+
+std::vector<WordWork> wordWork(cv::Size image, int cellSize)
+{
+    const cv::Ptr<const ls::Plan> exact = ls::Plan::exact(image),
+                                  plan = ls::Plan::cascaded(image, cellSize);
+    const double pixels = pixelsOfChords(exact->frame());
+    const ls::Level& first = plan->level(0);
+    const double words = wordsOfChord(first), firstPixels = pixelsOfChords(first.cell) * words;
+    std::vector<WordWork> work = {
+        {"exact", pixels, (double)exact->frame().chordCount(), pixels, 0, 0},
+        {"level 0", firstPixels, (double)first.cell.chordCount() * words, firstPixels, 0, 0}};
+    for (int l = 1; l < plan->levelCount(); ++l)
+        work.push_back(mergeInWords(*plan, l));
+    return work;
+}
 
 std::vector<StageWork> stageWork(cv::Size image, int cellSize)
 {

@@ -30,6 +30,22 @@ struct StageWork
 //! In the order of the stages; those whose work depends on the image are missing.
 std::vector<StageWork> stageWork(cv::Size image, int cellSize);
 
+/** What BACKEND_OPENGL does in words of 32 bits, of which a chord has at least one. What other ways of a
+merge would load is counted as well; words that are loaded again count again. */
+struct WordWork
+{
+    std::string stage;
+    double loads, stores, adds;
+    //! Of tiles of 8 x 8 chords that share their parts in the memory of their work group; 0: no merge.
+    double sharedLoads;
+    //! Of this merge and the one below at once, a step of 2 x 2 cells, whose table in between is not
+    //! stored; 0: no merge, or none below.
+    double fusedLoads;
+};
+
+//! METHOD_EXACT first, then the stages of the cascade.
+std::vector<WordWork> wordWork(cv::Size image, int cellSize);
+
 } // namespace benchmark
 
 #endif // LINESPACE_BENCHMARK_STAGE_WORK_HPP

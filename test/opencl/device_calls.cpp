@@ -4,8 +4,10 @@
 
 // Calls one function twice, UMat in, UMat out, for test_launches.py, which reads the device's own
 // account of it:
-//   linespace_device_calls compute|detect|recount|exact|houghlines IMAGE
-// The second call's lines of standard error stand between "warm call" and "end".
+//   linespace_device_calls FUNCTION IMAGE
+// FUNCTION: compute, detect, oriented, recount, exact, houghlines or houghlines-dense.
+// The second call's lines of standard error stand between "warm call begins" and
+// "warm call ends", which may stand in the middle of a line of another thread.
 
 #include <opencv2/core/ocl.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -22,7 +24,7 @@ int main(int argc, char** argv)
         return 2;
     }
     const cv::String function = argv[1];
-    cv::Mat image = cv::imread(argv[2], cv::IMREAD_GRAYSCALE), edges;
+    cv::Mat image = cv::imread(argv[2], cv::IMREAD_GRAYSCALE), edges, gradient;
     if (image.empty())
     {
         std::fprintf(stderr, "%s cannot be read\n", argv[2]);
@@ -34,7 +36,7 @@ int main(int argc, char** argv)
         return 77;
     }
     std::printf("%s\n", cv::ocl::Device::getDefault().name().c_str());
-    if (function == "houghlines")
+    if (function == "houghlines-dense")
     {
         // Of so many edge pixels that it counts chords first.
         cv::resize(image, image, cv::Size(400, 300), 0, 0, cv::INTER_AREA);
@@ -46,25 +48,36 @@ int main(int argc, char** argv)
         cv::resize(image, image, size, 0, 0, cv::INTER_AREA);
         cv::Canny(image, edges, 50, 150);
     }
-    cv::UMat input, output;
+    cv::UMat input, dx, dy, output;
     edges.copyTo(input);
+    cv::Sobel(image, gradient, CV_32F, 1, 0);
+    gradient.copyTo(dx);
+    cv::Sobel(image, gradient, CV_32F, 0, 1);
+    gradient.copyTo(dy);
     const cv::Ptr<cv::linespace::LineSpaceDetector> detector =
         cv::linespace::LineSpaceDetector::create(edges.rows / 5, 100);
     if (function == "recount")
+    {
         detector->setSuppressionRadius(0); // candidates do not climb: the device counts them again
+        detector->setPruning(false);       // and of whole tables
+    }
     if (function == "exact")
         detector->setMethod(cv::linespace::METHOD_EXACT);
     for (int call = 0; call < 2; ++call)
     {
-        std::fprintf(stderr, call == 0 ? "first call\n" : "warm call\n");
+        std::fprintf(stderr, call == 0 ? "first call begins\n" : "warm call begins\n");
         if (function == "compute")
             detector->compute(input, output);
         else if (function == "houghlines")
-            cv::linespace::HoughLines(input, output, 1, CV_PI / 1800, 120);
+            cv::linespace::HoughLines(input, output, 1, CV_PI / 180, 120);
+        else if (function == "houghlines-dense")
+            cv::linespace::HoughLines(input, output, 1, CV_PI / 1800, 250);
+        else if (function == "oriented")
+            detector->detect(input, dx, dy, output);
         else
             detector->detect(input, output);
     }
-    std::fprintf(stderr, "end\n");
+    std::fprintf(stderr, "warm call ends\n");
     cv::ocl::finish();
     if (output.empty())
     {

@@ -14,8 +14,9 @@ if ! command -v oclgrind >/dev/null; then
     exit 77
 fi
 export OPENCV_OPENCL_DEVICE=Oclgrind: OPENCV_OPENCL_CACHE_ENABLE=0
-log=$(mktemp)
-trap 'rm -f "$log"' EXIT
+log=$(mktemp) said=$(mktemp)
+trap 'rm -f "$log" "$said"' EXIT
+callers=69 # detectors of the program, and calls without one
 
 # simulate BACKEND OPTION...
 simulate() {
@@ -33,5 +34,11 @@ simulate() {
 
 simulate opencl --data-races
 simulate opencl --max-wgsize 16
-# Less memory than a table needs: the processor takes over.
-simulate cpu --global-mem-size 64
+simulate opencl --local-mem-size 1024 # counts that want to be there are elsewhere
+# Less memory than a table needs: the processor takes over, and each detector or call without one says so once.
+simulate cpu --global-mem-size 64 2>&1 | tee "$said"
+warnings=$(grep -c 'the CPU path runs' "$said" || true)
+if ((warnings == 0 || warnings > callers)); then
+    echo "$warnings warnings of $callers detectors and calls"
+    exit 1
+fi

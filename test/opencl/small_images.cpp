@@ -49,6 +49,51 @@ cv::Ptr<LineSpaceDetector> detectorOf(int variant, const cv::Mat& mask)
     return detector;
 }
 
+//! The drop-in, by all lines of a sparse map and by the table of a dense one.
+void checkHoughLines(const cv::Mat& edges, const cv::UMat& onDevice, int variant, int expected)
+{
+    cv::Mat dense;
+    cv::UMat denseOnDevice;
+    cv::resize(edges + 1, dense, cv::Size(), 3, 3, cv::INTER_NEAREST);
+    dense.copyTo(denseOnDevice);
+    const bool weighted = variant & 4;
+    const double rho = 0.5 * (1 << variant % 3);
+    for (int k = 0; k < 2; ++k)
+    {
+        const cv::Mat& image = k ? dense : edges;
+        const double theta = k ? 0.005 : 0.1;
+        const int threshold = (k ? image.rows : image.rows / 5) * (weighted ? 40 : 1);
+        std::vector<cv::Vec3f> byCpu, found;
+        cv::linespace::HoughLines(image, byCpu, rho, theta, threshold, 0, 0, -0.2, k ? 0 : 3,
+                                  weighted);
+        cv::linespace::setDefaultBackend(expected == cv::linespace::BACKEND_OPENCL
+                                             ? cv::linespace::BACKEND_OPENCL // which must not fail
+                                             : cv::linespace::BACKEND_AUTO);
+        cv::linespace::HoughLines(k ? denseOnDevice : onDevice, found, rho, theta, threshold, 0, 0,
+                                  -0.2, k ? 0 : 3, weighted);
+        cv::linespace::setDefaultBackend(cv::linespace::BACKEND_AUTO);
+        check(byCpu == found, k ? "HoughLines, dense" : "HoughLines", variant, image.size());
+    }
+}
+
+//! A device that was asked for must not be replaced.
+void checkThatItFails(const cv::UMat& onDevice)
+{
+    cv::linespace::setDefaultBackend(cv::linespace::BACKEND_OPENCL);
+    bool throws = false;
+    try
+    {
+        std::vector<cv::Vec3f> lines;
+        cv::linespace::HoughLines(onDevice, lines, 1, 0.1, 1);
+    }
+    catch (const cv::Exception& error)
+    {
+        throws = error.code == cv::Error::OpenCLApiCallError;
+    }
+    cv::linespace::setDefaultBackend(cv::linespace::BACKEND_AUTO);
+    check(throws, "HoughLines on a device that cannot", 0, onDevice.size());
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -69,9 +114,11 @@ int main(int argc, char** argv)
         std::string(argv[1]) == "cpu" ? cv::linespace::BACKEND_CPU : cv::linespace::BACKEND_OPENCL;
     cv::RNG random(1);
     int calls = 0;
-    for (int variant = 0; variant < 20; ++variant)
+    for (int variant = 0; variant < 23; ++variant)
     {
-        const cv::Size size(1 + variant * 13 % 41, 1 + variant * 7 % 29);
+        // The last ones are large enough for their last levels to be pruned.
+        const cv::Size size =
+            variant < 20 ? cv::Size(1 + variant * 13 % 41, 1 + variant * 7 % 29) : cv::Size(64, 64);
         cv::Mat noise(size, CV_8UC1), large, mask(size, CV_8UC1), dx, dy;
         random.fill(noise, cv::RNG::UNIFORM, 0, 256);
         const cv::Mat edges = noise.mul(noise < 70);
@@ -94,15 +141,30 @@ int main(int argc, char** argv)
         cpu->detect(edges, dx, dy, byCpu);
         automatic->detect(onDevice, dx, dy, found);
         check(same(byCpu, found), "oriented detect", variant, size);
-        for (int level = 0; level < cpu->getLevelCount(); ++level)
+        for (int type = CV_16S; type <= CV_32F; type += CV_32F - CV_16S)
+        {
+            cv::UMat dxOnDevice, dyOnDevice;
+            dx.convertTo(dxOnDevice, type);
+            dy.convertTo(dyOnDevice, type);
+            automatic->detect(onDevice, dxOnDevice, dyOnDevice, found);
+            check(same(byCpu, found), "detect, gradients on the device", variant, size);
+        }
+        cpu->detect(edges, cv::noArray(), cv::noArray(), byCpu);
+        automatic->detect(onDevice, cv::noArray(), cv::noArray(), found);
+        check(same(byCpu, found), "detect, estimated gradients", variant, size);
+        const int levels = variant < 20 ? cpu->getLevelCount() : 0;
+        for (int level = 0; level < levels; ++level)
         {
             cv::UMat table;
             cpu->computeLevel(edges, level, byCpu);
             automatic->computeLevel(onDevice, level, table);
             check(same(byCpu, table.getMat(cv::ACCESS_READ)), "computeLevel", variant, size);
         }
-        calls += 2 + cpu->getLevelCount();
+        checkHoughLines(edges, onDevice, variant, expected);
+        calls += 3 + levels;
     }
+    if (expected == cv::linespace::BACKEND_CPU)
+        checkThatItFails(cv::UMat(50, 60, CV_8UC1, cv::Scalar(1)));
     std::printf("%d calls, %d differences\n", calls, differences);
     return differences > 0;
 }

@@ -18,13 +18,15 @@ PROGRAM = os.environ["LINESPACE_DEVICE_CALLS"]
 PHOTOGRAPH = Path(os.environ["LINESPACE_SAMPLES_DATA"]) / "building.jpg"
 
 CALLS = 2  # of the program, of which the second one is warm
-CASCADE = ["gatherPixels", "firstCells", "mergeCells"]
-ROUNDS = 4
+CASCADE = ["gatherPixels", "firstCells"]
+SEARCH = ["resetSearch", "searchMaxima", "chooseLeast", "countTiles", "scanTiles", "writeMaxima"]
+PRUNED_LEVELS = 3
+PRUNING = PRUNED_LEVELS * ["boundBlocks", "mergeBlocks"] + (PRUNED_LEVELS - 1) * ["requireBlocks"]
+SAMPLE = ["resetSearch", "searchMaxima", "chooseLeast"]  # of the first image
 PACKING = ["packColumns", "packRows"]
-ASCENT = PACKING + ["clearMarks", "climbOn"] + ROUNDS * ["wantNeighbours", "countWanted", "markCounted",
-                                                         "takeSteps"]
-SEARCH = ["resetSearch", "searchMaxima", "raiseCut", "checkCut", "chooseLeast", "countTiles",
-          "scanTiles", "writeMaxima"]
+ROUND = ["wantNeighbours", "countWanted", "markCounted", "takeSteps"]
+ASCENT = PACKING + ["clearMarks"] + 4 * ROUND + ["climbOn"]
+COUNTED_LINES = ["countPixels", "writePixels", "countVotes", "writeLines"] + 2 * ["scanCounts"]
 
 
 class Account:
@@ -49,7 +51,7 @@ class Account:
             self.trace = trace.read_text()
         self.launches = collections.Counter(
             re.findall(r"ndrange_kernel \| complete \|.*name=(\w+)", self.trace))
-        self.warm = re.search(r"(?ms)^warm call$(.*?)^end$", self.log).group(1)
+        self.warm = re.search(r"(?s)warm call begins(.*)warm call ends", self.log).group(1)
         print(f"{function}: {self.out.splitlines()[0]}: " +
               ", ".join(f"{name} {count}" for name, count in sorted(self.launches.items())))
 
@@ -75,19 +77,20 @@ class Launches(unittest.TestCase):
     def setUpClass(cls):
         cls.caches = tempfile.TemporaryDirectory()
         cls.accounts = {function: Account(function, cls.caches.name)
-                        for function in ("compute", "detect", "recount", "exact", "houghlines")}
+                        for function in ("compute", "detect", "oriented", "recount", "exact",
+                                         "houghlines", "houghlines-dense")}
 
     @classmethod
     def tearDownClass(cls):
         cls.caches.cleanup()
 
-    def expect(self, function, kernels, merges=0):
-        expected = collections.Counter(kernels)
-        if merges:
-            expected["mergeCells"] = merges
+    def expect(self, function, kernels, merges=0, once=()):
+        """Kernels of each call, with merges that many times mergeCells; and of the first call."""
+        expected = collections.Counter(CALLS * kernels + CALLS * merges * ["mergeCells"] +
+                                       list(once))
         found = {name: count for name, count in self.accounts[function].launches.items()
                  if name in expected}
-        self.assertEqual(found, {name: CALLS * count for name, count in expected.items()})
+        self.assertEqual(found, expected)
 
     def test_compute(self):
         merges = self.accounts["compute"].levels() - 1
@@ -95,31 +98,38 @@ class Launches(unittest.TestCase):
         self.expect("compute", CASCADE + ["writeTable"], merges)
 
     def test_detect(self):
-        # The search is queued a second time for a cut that is too high.
-        self.expect("detect",
-                    CASCADE + ["poolVotes"] + SEARCH + 2 * ["searchMaxima"] + ASCENT,
-                    self.accounts["detect"].levels() - 1)
+        def blocks(kernels):
+            return ["searchBlocks" if kernel == "searchMaxima" else kernel for kernel in kernels]
+
+        self.expect("detect", CASCADE + ["poolBlocks"] + PRUNING + blocks(SEARCH) + ASCENT,
+                    self.accounts["detect"].levels() - 1 - PRUNED_LEVELS,
+                    PRUNING + blocks(SAMPLE))
+
+    def test_detect_with_gradients(self):
+        self.expect("oriented", CASCADE + ["findDirections", "gatherDirections"] + ASCENT,
+                    self.accounts["oriented"].levels() - 1 - PRUNED_LEVELS)
 
     def test_candidates_that_are_counted_again(self):
-        self.expect("recount",
-                    CASCADE + SEARCH + 2 * ["searchMaxima"] + PACKING +
-                    ["countCandidates"],
-                    self.accounts["recount"].levels() - 1)
+        self.expect("recount", CASCADE + SEARCH + PACKING + ["countCandidates"],
+                    self.accounts["recount"].levels() - 1, SAMPLE)
 
     def test_the_exact_method(self):
         self.expect("exact", ["exactVotes", "resetSearch", "searchMaxima", "chooseLeast",
                               "countTiles", "scanTiles", "writeMaxima"] + PACKING)
 
     def test_the_drop_in(self):
-        launches = self.accounts["houghlines"].launches
-        for kernel in CASCADE:
-            self.assertGreater(launches[kernel], 0, kernel)
-        self.assertEqual(launches["mergeCells"] % CALLS, 0)
+        self.expect("houghlines", COUNTED_LINES)
+        self.assertEqual(len(self.accounts["houghlines"].launches), len(set(COUNTED_LINES)))
+
+    def test_the_drop_in_of_a_dense_map(self):
+        self.expect("houghlines-dense", CASCADE + ["findSupported"] + COUNTED_LINES)
+        merges = self.accounts["houghlines-dense"].launches["mergeCells"]
+        self.assertGreater(merges, 8)
+        self.assertEqual(merges % CALLS, 0)
 
     def test_a_warm_call_builds_and_allocates_nothing(self):
-        for function in ("compute", "detect", "recount", "exact"):
+        for function, account in self.accounts.items():
             with self.subTest(function):
-                account = self.accounts[function]
                 self.assertGreater(account.builds(account.log), 0)
                 self.assertGreater(account.largest_buffer(account.log), 10000)
                 self.assertEqual(account.builds(account.warm), 0)
@@ -134,6 +144,7 @@ class Launches(unittest.TestCase):
         self.assertLessEqual(reads["recount"], 2)
         self.assertLessEqual(reads["exact"], 2)
         self.assertLessEqual(reads["houghlines"], 2)
+        self.assertLessEqual(reads["houghlines-dense"], 2)
 
     def test_the_second_start_builds_nothing(self):
         for function in ("compute", "detect"):

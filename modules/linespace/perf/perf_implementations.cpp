@@ -17,7 +17,7 @@ typedef perf::TestBaseWithParam<tuple<std::string, cv::Size>> Implementation_Pho
 int selectedBackend()
 {
     const std::string name = perf::TestBase::getSelectedImpl();
-    return name == "opencl" ? ls::BACKEND_OPENCL
+    return name == "opencl"   ? ls::BACKEND_OPENCL
            : name == "opengl" ? ls::BACKEND_OPENGL
                               : ls::BACKEND_CPU;
 }
@@ -41,9 +41,8 @@ PERF_TEST_P(Implementation_Photograph, detect,
             testing::Combine(testing::Values("building.jpg", "home.jpg"), LINESPACE_SIZES))
 {
     const cv::Mat edges = photographEdges(get<0>(GetParam()), get<1>(GetParam()));
-    const cv::Ptr<ls::LineSpaceDetector> detector =
-        ls::LineSpaceDetector::create(std::min(edges.cols, edges.rows) / 5, 100,
-                                      ls::METHOD_CASCADED, 8, selectedBackend());
+    const cv::Ptr<ls::LineSpaceDetector> detector = ls::LineSpaceDetector::create(
+        std::min(edges.cols, edges.rows) / 5, 100, ls::METHOD_CASCADED, 8, selectedBackend());
     warmUp(*detector, edges);
     cv::UMat onDevice;
     edges.copyTo(onDevice);

@@ -55,17 +55,20 @@ int getDefaultBackend()
     return defaultBackend;
 }
 
+int chosenBackend(int backend, bool isUMat)
+{
+    if (backend != BACKEND_AUTO)
+        return backend;
+    backend = defaultBackend;
+    if (backend == BACKEND_AUTO && isUMat)
+        backend = BACKEND_OPENCL;
+    return backend != BACKEND_AUTO && isAvailable(backend) ? backend : (int)BACKEND_CPU;
+}
+
 Ptr<Executor> executorFor(int backend, bool isUMat, const Ptr<Executor>& kept)
 {
     const bool isNamed = backend != BACKEND_AUTO;
-    if (!isNamed)
-    {
-        backend = defaultBackend;
-        if (backend == BACKEND_AUTO && isUMat)
-            backend = BACKEND_OPENCL;
-        if (backend == BACKEND_AUTO || !isAvailable(backend))
-            backend = BACKEND_CPU;
-    }
+    backend = chosenBackend(backend, isUMat);
     if (!isAvailable(backend))
         CV_Error(Error::OpenCLInitError,
                  "backend = BACKEND_OPENCL: OpenCV uses no OpenCL device here "
@@ -78,7 +81,9 @@ Ptr<Executor> executorFor(int backend, bool isUMat, const Ptr<Executor>& kept)
     }
     catch (const DeviceFailure& failure)
     {
-        return substituteFor(isNamed ? backend : (int)BACKEND_AUTO, failure);
+        if (isNamed)
+            return substituteFor(backend, failure);
+        return kept && kept->backend() == BACKEND_CPU ? kept : createCpuExecutor();
     }
 }
 
@@ -92,6 +97,8 @@ UMat onDevice(InputArray array)
 
 Ptr<Executor> substituteFor(int backend, const DeviceFailure& failure)
 {
+    if (backend == BACKEND_AUTO)
+        backend = defaultBackend;
     if (backend != BACKEND_AUTO)
         CV_Error_(backend == BACKEND_OPENGL ? Error::OpenGlApiCallError : Error::OpenCLApiCallError,
                   ("backend = %s: %s; must be another one, or BACKEND_AUTO", nameOf(backend),

@@ -12,16 +12,19 @@
 namespace cv {
 namespace linespace {
 
+/** What runs for one of enum Backend: for BACKEND_AUTO the process-wide default where it can run,
+else the device for what lies there, else the CPU path. */
+int chosenBackend(int backend, bool isUMat);
+
 /** The executor of a back end.
-@param backend one of enum Backend. BACKEND_AUTO takes the process-wide default where it can run,
-else the device for what lies there, else the CPU path.
+@param backend one of enum Backend.
 @param isUMat whether the edge map is a UMat.
 @param kept an executor from an earlier call, returned again if it is of the right kind; may be
 empty. Throws cv::Exception with the reason if a back end that was named cannot run. */
 Ptr<Executor> executorFor(int backend, bool isUMat, const Ptr<Executor>& kept);
 
 //! The CPU's executor, in place of a device that failed, with a warning; throws if the device was
-//! asked for by name.
+//! asked for by name, for the call or for the process.
 Ptr<Executor> substituteFor(int backend, const DeviceFailure& failure);
 
 //! The array, where it is a UMat on OpenCV's device; else an empty one.

@@ -105,18 +105,13 @@ void poolVotesFor(const Votes* votes, const Cell& cell, const Range& rows, Bundl
 }
 
 /** Bundles (s, s's partners e = firstEnd + i) of one row and one segment of it: where their chords
-cross the shared side. A crossing moves one way with either end, so the outermost two chords of a
-bundle tell. */
+cross the shared side. */
 class BundleCrossings
 {
 public:
     BundleCrossings(const Merge& merge, int s, const Segment& segment)
     {
-        const int firstEnd = SIDE * segment.firstEnd;
-        const int lastS = merge.direction(SIDE * s) > 0 ? SIDE - 1 : 0,
-                  lastE = merge.direction(firstEnd) > 0 ? SIDE - 1 : 0;
-        least_ = CrossingRun(merge, SIDE * s + SIDE - 1 - lastS, firstEnd + SIDE - 1 - lastE);
-        most_ = CrossingRun(merge, SIDE * s + lastS, firstEnd + lastE);
+        outermostCrossings(merge, SIDE, SIDE * s, SIDE * segment.firstEnd, least_, most_);
     }
     //! The bundles of the shared side that bundle i meets are first .. last.
     int first(int i) const { return least_.at(SIDE * i) / SIDE; }

@@ -121,8 +121,8 @@ public:
                       });
     }
 
-    void mergeCells(const Plan& plan, int level, const VoteTable& child, VoteTable& parent,
-                    int /*worthless*/) CV_OVERRIDE
+    void mergeCells(const Plan& plan, int level, const VoteTable& child,
+                    VoteTable& parent) CV_OVERRIDE
     {
         const Merge merge = plan.merge(level);
         const int rows = merge.parent.firstPoint(SIDE_LEFT);

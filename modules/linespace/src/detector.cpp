@@ -65,14 +65,12 @@ public:
 
     void detect(InputArray edges, OutputArray lines) CV_OVERRIDE
     {
-        const Gradients none = {false, Mat(), Mat()};
-        detectLines(edges, none, lines);
+        detectLines(edges, Gradients::none(), lines);
     }
 
     void detect(InputArray edges, InputArray dx, InputArray dy, OutputArray lines) CV_OVERRIDE
     {
-        const Gradients gradients = {true, dx.getMat(), dy.getMat()};
-        detectLines(edges, gradients, lines);
+        detectLines(edges, Gradients::of(dx, dy), lines);
     }
 
     void detectTexture(unsigned int texture, OutputArray lines) CV_OVERRIDE
@@ -233,6 +231,7 @@ public:
         deviations_.clear();
         stageTimes_ = StageTimes();
         activeBackend_ = -1;
+        failedSize_ = Size();
     }
     String getDefaultName() const CV_OVERRIDE
     {
@@ -415,10 +414,13 @@ private:
         edges.votes = votingPixels(input.edges.getMat());
         if (gradients.isOriented)
         {
-            gradients.findBits(edges.votes, parameters_.orientationTolerance, images_.estimated,
-                               images_.directions);
+            if (!edges.directionsOnDevice.empty())
+                edges.directionsOnDevice.copyTo(images_.directions);
+            else
+                gradients.findBits(edges.votes, parameters_.orientationTolerance, images_.estimated,
+                                   images_.directions);
             edges.directions = images_.directions;
-            edges.isEstimated = gradients.dx.empty();
+            edges.isEstimated = gradients.areEstimated();
             edges.dx = gradients.dx;
             edges.dy = gradients.dy;
         }
@@ -442,7 +444,7 @@ private:
     void detectTaken(unsigned int texture, Size size, EdgeMap& map, Counting& counting,
                      OutputArray lines)
     {
-        const Gradients none = {false, Mat(), Mat()};
+        const Gradients none = Gradients::none();
         prepare("texture", size, none, -1, false, map, counting);
         {
             const WorkingTime time(*counting.executor);
@@ -465,8 +467,13 @@ private:
     template<class Work>
     void runWith(bool isUMat, Counting& counting, Work work)
     {
+        const Size size = counting.plan->imageSize();
+        const bool avoidsDevice = parameters_.backend == BACKEND_AUTO &&
+                                  getDefaultBackend() == BACKEND_AUTO && failedSize_ == size;
         if (!counting.executor)
-            counting.executor = executorFor(parameters_.backend, isUMat, executor_);
+            counting.executor = executorFor(avoidsDevice ? (int)BACKEND_CPU : parameters_.backend,
+                                            isUMat, executor_);
+        const Ptr<Executor> first = counting.executor;
         counting.executor = runOn(parameters_.backend, counting.executor,
                                   [&](Executor& executor)
                                   {
@@ -474,6 +481,8 @@ private:
                                           tables_.release();
                                       work(executor);
                                   });
+        if (counting.executor != first)
+            failedSize_ = size;
     }
 
     //! The image, or 1 where it is not 0, under the mask.
@@ -511,7 +520,7 @@ private:
             CV_Error_(Error::StsUnsupportedFormat, ("the output has type %s: must be CV_32SC1",
                                                     typeToString(out.type()).c_str()));
         EdgeMap map;
-        const Gradients none = {false, Mat(), Mat()};
+        const Gradients none = Gradients::none();
         const Input input = {edges, none};
         Counting counting;
         prepare(input, level, true, map, counting);
@@ -587,6 +596,18 @@ private:
                (edges.source.empty() || !mask_.empty());
     }
 
+    //! The directions of a map that is on the device, for an executor that works there.
+    void findDirections(Executor& executor, const Input& input, const Plan& plan,
+                        EdgeMap& edges) const
+    {
+        const Gradients& gradients = input.gradients;
+        if ((gradients.areOnDevice() || gradients.areEstimated()) && !edges.source.empty() &&
+            edges.votes.empty() && executor.takesUMats())
+            edges.directionsOnDevice =
+                executor.findDirections(edges, plan, gradients.dxOnDevice, gradients.dyOnDevice,
+                                        parameters_.orientationTolerance);
+    }
+
     //! Copies of the edge map for all that counts and refines on the host.
     void readPlanes(const Input& input, EdgeMap& edges, const Executor& executor,
                     Counting& counting)
@@ -603,6 +624,7 @@ private:
         runWith(input.edges.isUMat(), counting,
                 [&](Executor& executor)
                 {
+                    findDirections(executor, input, plan, edges);
                     bool stays = staysOnDevice(input, edges, executor);
                     if (!stays || !isOnDevice(edges, executor, counting) || countsPixels(edges))
                         readEdges(input, edges, executor, counting);
@@ -611,11 +633,10 @@ private:
                         return;
                     counting.level = levelForLines(plan, executor);
                     countVotes(executor, edges, plan, parameters_.method == METHOD_EXACT,
-                               counting.level, tables_, counting.times,
-                               parameters_.pruning ? candidateThreshold(requirement) : -1);
+                               counting.level, tables_, counting.times);
                     if (stays)
                         planes_.clear(); // of another map, maybe with weights
-                    else // a device is still counting
+                    else                 // a device is still counting
                         readPlanes(input, edges, executor, counting);
                     bool areCounted = parameters_.method == METHOD_EXACT;
                     std::vector<Candidate> candidates =
@@ -628,8 +649,9 @@ private:
                             stays = false;
                         }
                         recount(edges, plan, executor, candidates);
-                        counting.times.end("ascent");
                     }
+                    if (parameters_.method != METHOD_EXACT)
+                        counting.times.end("ascent");
                     removeIf(candidates,
                              [&](const Candidate& candidate)
                              {
@@ -639,6 +661,12 @@ private:
                     const bool hasBits = stays && parameters_.refine != REFINE_NONE;
                     if (hasBits && !candidates.empty())
                         executor.readBits(bits_);
+                    if (input.gradients.areOnDevice() && parameters_.refine != REFINE_NONE)
+                    {
+                        const Gradients read = input.gradients.onHost();
+                        edges.dx = read.dx;
+                        edges.dy = read.dy;
+                    }
                     const std::vector<Selected> chosen =
                         select(edges, plan, requirement, angles, candidates, hasBits);
                     lines.clear();
@@ -664,14 +692,20 @@ private:
                parameters_.suppressionRadius <= MOST_PRUNED_RADIUS;
     }
 
-    //! The level whose table lines are found from: the last one, or where bundles take over.
-    int levelForLines(const Plan& plan, const Executor& executor)
+    //! The level whose table lines are found from: the last one, or where bundles or blocks take
+    //! over.
+    int levelForLines(const Plan& plan, Executor& executor)
     {
-        const int last = plan.levelCount() - 1;
-        const int base = prunes() && executor.backend() == BACKEND_CPU
-                             ? BundleSearch::baseLevel(plan, parameters_.edgeWeights)
-                             : -1;
-        return base < 0 || !bundles_.isWorthATry(plan.imageSize()) ? last : base;
+        int base = -1;
+        if (prunes() && executor.backend() == BACKEND_CPU)
+        {
+            base = BundleSearch::baseLevel(plan, parameters_.edgeWeights);
+            if (base >= 0 && !bundles_.isWorthATry(plan.imageSize()))
+                base = -1;
+        }
+        else if (prunes())
+            base = executor.levelForPruning(plan, parameters_.edgeWeights);
+        return base < 0 ? plan.levelCount() - 1 : base;
     }
 
     //! The exact method's votes need no second count and no lower threshold.
@@ -684,6 +718,14 @@ private:
     int candidateThreshold(const Requirement& requirement) const
     {
         return cvFloor(candidateRatio() * requirement.threshold);
+    }
+
+    //! The total order, and each maximum once that several candidates came to.
+    static void sortOut(std::vector<Candidate>& candidates)
+    {
+        std::sort(candidates.begin(), candidates.end(), isStronger);
+        candidates.erase(std::unique(candidates.begin(), candidates.end(), isSameChord),
+                         candidates.end());
     }
 
     //! The chords of the frame whose exact votes may meet the requirement. Sets areCounted if they have
@@ -710,30 +752,38 @@ private:
         wanted.leastVotes = requirement.leastVotes(ratio);
         wanted.leastVotesDecide = requirement.pixels.size() <= 1 && angles.isFull();
         const int last = plan.levelCount() - 1, radius = parameters_.suppressionRadius;
-        if (counting.level < last)
+        const int climbingRadius = candidatesClimb() ? -1 : radius;
+        std::vector<Candidate> found;
+        const int ascent = parameters_.method == METHOD_EXACT ? -1 : ascentRadius();
+        if (counting.level < last && executor.backend() != BACKEND_CPU)
+        {
+            const bool isFound =
+                executor.findMaximaPruned(edges, plan, counting.level, tables_, wanted,
+                                          climbingRadius, ascent, found, areCounted);
+            counting.times.end("candidates");
+            if (isFound)
+            {
+                sortOut(found);
+                return found;
+            }
+            mergeVotes(executor, edges, plan, counting.level, last, tables_, counting.times);
+        }
+        else if (counting.level < last)
         {
             const VoteTable& base = tables_.of(counting.level);
             bundles_.bound(plan, counting.level, base, tables_.besides(counting.level));
             counting.times.end("bounds");
-            std::vector<Candidate> found;
-            const bool isFound =
-                bundles_.find(plan, wanted, candidatesClimb() ? -1 : radius, base, found);
+            const bool isFound = bundles_.find(plan, wanted, climbingRadius, base, found);
             counting.times.end("bundles");
             if (isFound)
                 return found;
             mergeVotes(executor, edges, plan, counting.level, last, tables_, counting.times);
         }
         VoteTable& table = tables_.of(last);
-        const int climbingRadius = candidatesClimb() ? -1 : radius;
-        std::vector<Candidate> found;
-        const int ascent = parameters_.method == METHOD_EXACT ? -1 : ascentRadius();
         if (parameters_.suppression == SUPPRESS_RING &&
             executor.findMaxima(edges, plan, table, wanted, climbingRadius, ascent, found,
                                 areCounted))
-        {
-            std::sort(found.begin(), found.end(), isStronger);
-            found.erase(std::unique(found.begin(), found.end(), isSameChord), found.end());
-        }
+            sortOut(found);
         else
         {
             executor.fetch(table);
@@ -845,6 +895,7 @@ private:
     int planMethod_, planCellSize_;
     Ptr<Executor> executor_;
     int activeBackend_;
+    Size failedSize_; // of images for which a device failed: it is not tried again and again
     Images images_;
     VoteTables tables_;
     BundleSearch bundles_;

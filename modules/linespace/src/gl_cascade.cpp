@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// Tables are in the order of stages.hpp, [chord][cell], in words of 32 bits: the votes of consecutive
-// cells share a word, the first in its lowest bits, and a chord has at least one word, so that those
-// of the last table, of one cell, have one each.
+// Tables are in the order of stages.hpp, [chord][cell], in words of 32 bits: the votes of
+// consecutive cells share a word, the first in its lowest bits, and a chord has at least one word,
+// so that those of the last table, of one cell, have one each.
 
 #include "gl_cascade.hpp"
 
@@ -62,7 +62,7 @@ public:
     }
 
     int backend() const CV_OVERRIDE { return BACKEND_OPENGL; }
-    bool isUsable() const CV_OVERRIDE { return device_->isForThisThread(); }
+    bool isUsable() const CV_OVERRIDE { return device_->isForThisThread() && device_->works(); }
     void begin() CV_OVERRIDE
     {
         device_->begin();
@@ -107,41 +107,62 @@ public:
         if (table.depth > 2)
             throw DeviceFailure("a cell has too many votes for 16-bit numbers");
         const int lanes = logOf(std::min<size_t>(wordsOf(table), GlDevice::GROUP));
-        forEachPart(
-            table,
-            [&](int first, int count, size_t offset, size_t bytes)
-            {
-                GlLaunch launch(*device_, GL_FIRST_CELLS,
-                                define("PARENT_BITS", 8 * table.depth) +
-                                    (isOriented ? orientedOptions() : std::string()));
-                launch.block(planes_).block(bufferOf(table), offset, bytes);
-                if (isOriented)
-                    launch.block(directionPlanes_);
-                launch.runItems({first, count, level.cell.width, level.cell.height, lanes,
-                                 (int)wordsOf(table), (int)words, (int)directionWords},
-                                (size_t)count << lanes);
-            });
+        forEachPart(table,
+                    [&](int first, int count, size_t offset, size_t bytes)
+                    {
+                        GlLaunch launch(*device_, GL_FIRST_CELLS,
+                                        define("PARENT_BITS", 8 * table.depth) +
+                                            (isOriented ? orientedOptions() : std::string()));
+                        launch.block(planes_).block(bufferOf(table), offset, bytes);
+                        if (isOriented)
+                            launch.block(directionPlanes_);
+                        launch.runItems({first, count, level.cell.width, level.cell.height, lanes,
+                                         (int)wordsOf(table), (int)words, (int)directionWords},
+                                        (size_t)count << lanes);
+                    });
     }
 
-    void mergeCells(const Plan& plan, int l, const VoteTable& child, VoteTable& parent,
-                    int /*worthless*/) CV_OVERRIDE
+    void mergeCells(const Plan& plan, int l, const VoteTable& child, VoteTable& parent) CV_OVERRIDE
     {
         const size_t words = wordsOf(parent);
         // Of the child's votes that come to a word of the parent.
-        const int bits = 8 * child.depth *
-                         (int)std::min<size_t>(parent.cells, sizeof(uint) / parent.depth);
-        Merging merging = {child, parent, std::string(), (int)words,
+        const int bits =
+            8 * child.depth * (int)std::min<size_t>(parent.cells, sizeof(uint) / parent.depth);
+        Merging merging = {child,
+                           parent,
+                           std::string(),
+                           (int)words,
                            logOf(std::min<size_t>(words, GlDevice::GROUP)),
                            bits == 32 ? -1 : (int)((1u << bits) - 1)};
         merging.options = windowOptions(device_->limits(), bytesOf(child)) +
                           define("CHILD_BITS", 8 * child.depth) +
-                          define("PARENT_BITS", 8 * parent.depth);
-        const std::vector<MergeRectangle> rectangles = mergeRectangles(plan.merge(l));
+                          define("PARENT_BITS", 8 * parent.depth) +
+                          define("RECTANGLES", MOST_RECTANGLES);
         bool isBeside = false;
-        for (const MergeRectangle& rectangle : rectangles)
+        std::vector<MergeRectangle> left = mergeRectangles(plan.merge(l));
+        while (!left.empty())
         {
-            mergeRectangle(merging, rectangle, isBeside);
+            // Those of one kind and shape at once, if a block holds the parent.
+            const MergeRectangle first = left.front();
+            const auto others =
+                std::stable_partition(left.begin(), left.end(),
+                                      [&](const MergeRectangle& rectangle)
+                                      {
+                                          return rectangle.isCrossing == first.isCrossing &&
+                                                 rectangle.rows == first.rows &&
+                                                 rectangle.columns == first.columns;
+                                      });
+            if (bytesOf(parent) <= device_->limits().blockBytes)
+                mergeAtOnce(merging, std::vector<MergeRectangle>(left.begin(), others), 0,
+                            bytesOf(parent), isBeside);
+            else
+                for (auto rectangle = left.begin(); rectangle != others; ++rectangle)
+                {
+                    mergeInParts(merging, *rectangle, isBeside);
+                    isBeside = true;
+                }
             isBeside = true; // they read what none of them writes
+            left.erase(left.begin(), others);
         }
     }
 
@@ -298,52 +319,61 @@ private:
         int words, lanesLog, mask;
     };
 
-    void mergeRectangle(const Merging& merging, const MergeRectangle& all, bool isBeside)
+    enum
+    {
+        MOST_RECTANGLES = 13
+    };
+
+    /** Rectangles of one kind and shape.
+    @param offset,bytes of the part of the parent's table that has them; their starts count from
+    there. */
+    void mergeAtOnce(const Merging& merging, const std::vector<MergeRectangle>& rectangles,
+                     size_t offset, size_t bytes, bool isBeside)
     {
         const VoteTable &child = merging.child, &parent = merging.parent;
+        CV_DbgAssert(rectangles.size() <= (size_t)MOST_RECTANGLES);
+        std::vector<Vec4i> fours;
+        for (const MergeRectangle& r : rectangles)
+        {
+            fours.push_back(Vec4i(r.columns, r.rows, (int)r.start, r.rowLength));
+            fours.push_back(Vec4i(r.childS, (int)r.partS, (int)r.stepS, (int)r.sharedS));
+            fours.push_back(Vec4i((int)r.stepE, (int)r.partE, (int)r.stepE, (int)r.sharedE));
+            fours.push_back(Vec4i(r.alongS, r.alongStepS, r.acrossS, r.acrossStepS));
+            fours.push_back(Vec4i(r.alongE, r.alongStepE, r.acrossE, r.acrossStepE));
+        }
+        const MergeRectangle& any = rectangles.front();
+        GlLaunch(*device_, GL_MERGE,
+                 merging.options + (any.isCrossing ? define("CROSSING") : std::string()))
+            .windows(bufferOf(child), bytesOf(child))
+            .block(bufferOf(parent), offset, bytes)
+            .fours(fours)
+            .runRows({0, 0, merging.lanesLog, logOf(parent.cells), merging.words,
+                      (int)wordsOf(child), merging.mask},
+                     any.columns << merging.lanesLog, any.rows, (int)rectangles.size(), isBeside);
+    }
+
+    //! As many rows at a time as a block holds, which begins where it may.
+    void mergeInParts(const Merging& merging, const MergeRectangle& all, bool isBeside)
+    {
         const size_t bytes = merging.words * sizeof(uint), limit = device_->limits().blockBytes;
-        // As many rows at a time as a block holds, which begins where it may.
         const size_t slack = device_->limits().alignment, row = all.rowLength * bytes;
         if (row + slack > limit)
             throw DeviceFailure("a row of chords is more than a storage block holds");
         const int most = (int)std::min<size_t>(all.rows, (limit - slack) / row);
         for (int first = 0; first < all.rows; first += most)
         {
-            const int rows = std::min(most, all.rows - first);
+            MergeRectangle part = all;
+            part.rows = std::min(most, all.rows - first);
             const size_t begin = (all.start + (size_t)first * all.rowLength) * bytes,
-                         end = begin + (rows - 1) * row + all.columns * bytes;
+                         end = begin + (part.rows - 1) * row + all.columns * bytes;
             // A whole number of chords before it, as both are powers of two.
             const size_t offset = begin / std::max(slack, bytes) * std::max(slack, bytes);
-            GlLaunch(*device_, GL_MERGE,
-                     merging.options + (all.isCrossing ? define("CROSSING") : std::string()))
-                .windows(bufferOf(child), bytesOf(child))
-                .block(bufferOf(parent), offset, end - offset)
-                .runRows({0,
-                          0,
-                          all.columns,
-                          merging.lanesLog,
-                          logOf(parent.cells),
-                          merging.words,
-                          (int)wordsOf(child),
-                          merging.mask,
-                          (int)((begin - offset) / bytes),
-                          all.rowLength,
-                          all.childS,
-                          (int)(all.partS + first * all.stepS),
-                          (int)all.stepS,
-                          (int)all.sharedS,
-                          (int)all.partE,
-                          (int)all.stepE,
-                          (int)all.sharedE,
-                          all.alongS + first * all.alongStepS,
-                          all.alongStepS,
-                          all.acrossS + first * all.acrossStepS,
-                          all.acrossStepS,
-                          all.alongE,
-                          all.alongStepE,
-                          all.acrossE,
-                          all.acrossStepE},
-                         all.columns << merging.lanesLog, rows, isBeside || first > 0);
+            part.start = (begin - offset) / bytes;
+            part.partS += first * all.stepS;
+            part.alongS += first * all.alongStepS;
+            part.acrossS += first * all.acrossStepS;
+            mergeAtOnce(merging, std::vector<MergeRectangle>(1, part), offset, end - offset,
+                        isBeside || first > 0);
         }
     }
 

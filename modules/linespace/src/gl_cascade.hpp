@@ -2,7 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// The OpenGL path: the stages as compute shaders, in the caller's context or in one without a window.
+// The OpenGL path: the stages as compute shaders, in the caller's context or in one without a
+// window.
 
 #ifndef OPENCV_LINESPACE_GL_CASCADE_HPP
 #define OPENCV_LINESPACE_GL_CASCADE_HPP

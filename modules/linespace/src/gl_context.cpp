@@ -157,8 +157,7 @@ bool forEachDisplay(Visit visit)
     const char* const extensions = egl().eglQueryString(0, EGL_EXTENSIONS);
     if (!extensions)
         egl().eglGetError(); // an EGL without them
-    const GetPlatformDisplay getDisplay =
-        (GetPlatformDisplay)findByEgl("eglGetPlatformDisplayEXT");
+    const GetPlatformDisplay getDisplay = (GetPlatformDisplay)findByEgl("eglGetPlatformDisplayEXT");
     const QueryDevices queryDevices = (QueryDevices)findByEgl("eglQueryDevicesEXT");
     if (getDisplay && queryDevices && hasWord(extensions, "EGL_EXT_platform_device"))
     {
@@ -231,7 +230,9 @@ bool isEmbeddedWanted()
 
 } // namespace
 
-GlContext::GlContext() : handle_(0), display_(0), surface_(0), find_(0), isCallers_(false) {}
+GlContext::GlContext() : handle_(0), display_(0), surface_(0), find_(0), isCallers_(false)
+{
+}
 
 GlContext::GlContext(GlContext&& other)
     : handle_(other.handle_), display_(other.display_), surface_(other.surface_),

@@ -32,8 +32,8 @@ public:
     //! The one that is current in this thread; none if there is none.
     static GlContext current();
     /** A new one without a window: of the first display that has any, of the EGL devices, then
-    without a surface, then the default display; OpenGL 4.3, else OpenGL ES 3.1. Throws DeviceFailure
-    if there is none. */
+    without a surface, then the default display; OpenGL 4.3, else OpenGL ES 3.1. Throws
+    DeviceFailure if there is none. */
     static GlContext headless();
 
     bool isNone() const { return !handle_; }

@@ -115,8 +115,8 @@ void GlBuffer::release()
 }
 
 GlDevice::GlDevice(GlContext&& context)
-    : context_(std::move(context)), isEmbedded_(false), isLost_(false), isBusy_(false),
-      mark_(0), sampler_(0), stamps_(0)
+    : context_(std::move(context)), isEmbedded_(false), isLost_(false), isBusy_(false), mark_(0),
+      sampler_(0), stamps_(0)
 {
     binding_.reset(new GlBinding(context_));
     gl_.load(context_.functions());
@@ -184,18 +184,8 @@ GlDevice::~GlDevice()
 Ptr<GlDevice> GlDevice::take()
 {
     while (const Ptr<GlDevice> idle = IdleDevices::instance().take())
-    {
-        try
-        {
-            idle->begin();
-            idle->end();
+        if (idle->works())
             return idle;
-        }
-        catch (const DeviceFailure&)
-        {
-            // Of a context that was destroyed and whose handle has come again.
-        }
-    }
     GlContext context = GlContext::current();
     if (context.isNone())
         context = GlContext::headless();
@@ -206,18 +196,8 @@ void GlDevice::giveBack(const Ptr<GlDevice>& device)
 {
     if (device->isLost_)
         return;
-    if (!device->isCallers() || device->context_.isCurrent())
-    {
-        try
-        {
-            device->begin();
-            device->end();
-        }
-        catch (const DeviceFailure&)
-        {
-            return;
-        }
-    }
+    if ((!device->isCallers() || device->context_.isCurrent()) && !device->works())
+        return;
     IdleDevices::instance().add(device);
 }
 
@@ -225,6 +205,20 @@ bool GlDevice::isForThisThread() const
 {
     const GlContext current = GlContext::current();
     return !isLost_ && (current.isNone() ? !isCallers() : isCallers() && context_.isSame(current));
+}
+
+bool GlDevice::works()
+{
+    try
+    {
+        begin(); // which also frees what is not needed any more
+        end();
+        return true;
+    }
+    catch (const DeviceFailure&)
+    {
+        return false; // the context was destroyed, and its handle may have come again
+    }
 }
 
 void GlDevice::begin()
@@ -501,8 +495,7 @@ void GlDevice::finish()
     if (!isBusy_)
         return;
     call("glMemoryBarrier", gl_.MemoryBarrier, gl::BUFFER_UPDATE_BARRIER_BIT);
-    const gl::GLsync fence =
-        call("glFenceSync", gl_.FenceSync, gl::SYNC_GPU_COMMANDS_COMPLETE, 0u);
+    const gl::GLsync fence = call("glFenceSync", gl_.FenceSync, gl::SYNC_GPU_COMMANDS_COMPLETE, 0u);
     const gl::GLuint64 second = 1000000000;
     gl::GLenum state;
     do
@@ -594,10 +587,9 @@ GlLaunch& GlLaunch::block(const GlBuffer& buffer, size_t offset, size_t bytes)
 {
     const size_t rounded = std::min((bytes + 15) / 16 * 16, buffer.bytes() - offset);
     if (bytes > device_.limits().blockBytes || (int)next_ >= device_.limits().blocks)
-        throw DeviceFailure(format("%.0f bytes are more than a shader of this device can reach",
-                                   (double)bytes));
-    device_.bindBlock(next_++, buffer, offset,
-                      std::min(rounded, device_.limits().blockBytes));
+        throw DeviceFailure(
+            format("%.0f bytes are more than a shader of this device can reach", (double)bytes));
+    device_.bindBlock(next_++, buffer, offset, std::min(rounded, device_.limits().blockBytes));
     return *this;
 }
 
@@ -614,12 +606,12 @@ void GlLaunch::run(const std::vector<int>& numbers, size_t groups)
     const size_t most = device_.limits().groups, columns = std::min(groups, most),
                  rows = (groups + columns - 1) / columns;
     if (rows > most)
-        throw DeviceFailure(format("%.0f work groups are more than the device launches",
-                                   (double)groups));
-    queue(numbers, (unsigned)columns, (unsigned)rows, false);
+        throw DeviceFailure(
+            format("%.0f work groups are more than the device launches", (double)groups));
+    queue(numbers, (unsigned)columns, (unsigned)rows, 1, false);
 }
 
-void GlLaunch::runRows(std::vector<int> numbers, int items, int rows, bool isBeside)
+void GlLaunch::runRows(std::vector<int> numbers, int items, int rows, int layers, bool isBeside)
 {
     const int most = (int)std::min<int64>(device_.limits().groups, INT_MAX / GlDevice::GROUP);
     for (int row = 0; row < rows; row += most)
@@ -629,19 +621,27 @@ void GlLaunch::runRows(std::vector<int> numbers, int items, int rows, bool isBes
             numbers[1] = row;
             const int groups = (items - item - 1) / GlDevice::GROUP + 1;
             queue(numbers, (unsigned)std::min(groups, most), (unsigned)std::min(rows - row, most),
-                  isBeside);
+                  (unsigned)layers, isBeside);
             isBeside = true;
         }
 }
 
-void GlLaunch::queue(const std::vector<int>& numbers, unsigned columns, unsigned rows, bool isBeside)
+GlLaunch& GlLaunch::fours(const std::vector<Vec4i>& numbers)
+{
+    device_.call("glUniform4iv", device_.gl_.Uniform4iv, (gl::GLint)GlDevice::NUMBERS,
+                 (gl::GLsizei)numbers.size(), numbers.front().val);
+    return *this;
+}
+
+void GlLaunch::queue(const std::vector<int>& numbers, unsigned columns, unsigned rows,
+                     unsigned layers, bool isBeside)
 {
     CV_DbgAssert(numbers.size() <= (size_t)GlDevice::NUMBERS);
     const gl::Functions& gl = device_.gl_;
     if (!isBeside)
         device_.call("glMemoryBarrier", gl.MemoryBarrier, gl::SHADER_STORAGE_BARRIER_BIT);
     device_.call("glUniform1iv", gl.Uniform1iv, 0, (gl::GLsizei)numbers.size(), numbers.data());
-    device_.call("glDispatchCompute", gl.DispatchCompute, columns, rows, 1u);
+    device_.call("glDispatchCompute", gl.DispatchCompute, columns, rows, layers);
     device_.isBusy_ = true;
 }
 

@@ -28,7 +28,8 @@ namespace linespace {
 
 class GlDevice;
 
-//! Memory of a device. It may outlive the work, in any thread: what it had is freed when that goes on.
+//! Memory of a device. It may outlive the work, in any thread: what it had is freed when that goes
+//! on.
 class GlBuffer : public DeviceMemory
 {
 public:
@@ -75,19 +76,21 @@ public:
     enum
     {
         GROUP = 64,  //!< invocations of a work group
-        NUMBERS = 25 //!< most that a launch takes
+        NUMBERS = 12 //!< most that a launch takes
     };
 
-    /** The device for this thread: the caller's context if one is current, else one without a window;
-    one that was given back, or a new one. */
+    /** The device for this thread: the caller's context if one is current, else one without a
+    window; one that was given back, or a new one. */
     static Ptr<GlDevice> take();
     //! For the next one that asks; frees the buffers that are not needed any more.
     static void giveBack(const Ptr<GlDevice>& device);
 
     ~GlDevice();
 
-    //! Whether take() would give this one or another of the same context.
+    //! Whether its context is the one to use in this thread, by its handle.
     bool isForThisThread() const;
+    //! Then: whether it is the same context still.
+    bool works();
     bool isCallers() const { return context_.isCallers(); }
     bool isEmbedded() const { return isEmbedded_; }
     const GlLimits& limits() const { return limits_; }
@@ -222,17 +225,20 @@ public:
 
     //! Queues it, for at least so many work groups, after what was queued before.
     void run(const std::vector<int>& numbers, size_t groups);
-    /** Queues it for so many items of so many rows. The first two numbers tell the shader where a launch
-    begins, if it takes several.
+    //! What else the shader takes, in fours.
+    GlLaunch& fours(const std::vector<Vec4i>& numbers);
+    /** Queues it for so many items of so many rows of so many layers. The first two numbers tell
+    the shader where a launch begins, if it takes several.
     @param isBeside whether it needs nothing of what was queued last. */
-    void runRows(std::vector<int> numbers, int items, int rows, bool isBeside);
+    void runRows(std::vector<int> numbers, int items, int rows, int layers, bool isBeside);
     void runItems(const std::vector<int>& numbers, size_t items)
     {
         run(numbers, (items + GlDevice::GROUP - 1) / GlDevice::GROUP);
     }
 
 private:
-    void queue(const std::vector<int>& numbers, unsigned columns, unsigned rows, bool isBeside);
+    void queue(const std::vector<int>& numbers, unsigned columns, unsigned rows, unsigned layers,
+               bool isBeside);
 
     GlDevice& device_;
     unsigned next_; //!< block

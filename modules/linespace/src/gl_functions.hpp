@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// What the OpenGL path takes of OpenGL 4.3 and OpenGL ES 3.1: types, numbers and functions, with the
-// names and values of their specifications. They are declared here and found at run time, so that
-// the module is built without any header or library of OpenGL and loads on a machine without.
+// What the OpenGL path takes of OpenGL 4.3 and OpenGL ES 3.1: types, numbers and functions, with
+// the names and values of their specifications. They are declared here and found at run time, so
+// that the module is built without any header or library of OpenGL and loads on a machine without.
 
 #ifndef OPENCV_LINESPACE_GL_FUNCTIONS_HPP
 #define OPENCV_LINESPACE_GL_FUNCTIONS_HPP
@@ -117,6 +117,7 @@ enum
     F(void, UseProgram, (GLuint))                                                                  \
     F(void, DeleteProgram, (GLuint))                                                               \
     F(void, Uniform1iv, (GLint, GLsizei, const GLint*))                                            \
+    F(void, Uniform4iv, (GLint, GLsizei, const GLint*))                                            \
     F(void, DispatchCompute, (GLuint, GLuint, GLuint))                                             \
     F(void, MemoryBarrier, (GLbitfield))                                                           \
     F(GLsync, FenceSync, (GLenum, GLbitfield))                                                     \

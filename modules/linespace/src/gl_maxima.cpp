@@ -57,9 +57,8 @@ bool GlMaxima::find(GlDevice& device, const EdgeMap& edges, const Plan& plan, co
     const int chords = (int)frame.chordCount(), tiles = chords / TILE + (chords % TILE > 0);
     const int most = (int)std::min<size_t>(wanted.most, chords);
     const bool isFew = most < chords / SAMPLE && tiles >= SAMPLE;
-    const int bins = asShaderInt((double)plan.level(plan.levelCount() - 1).maxVotes *
-                                     (edges.weighted ? 255 : 1) +
-                                 1);
+    const int bins = asShaderInt(
+        (double)plan.level(plan.levelCount() - 1).maxVotes * (edges.weighted ? 255 : 1) + 1);
     const size_t stateBytes = (NUMBERS + (size_t)bins + 2 * (size_t)tiles) * sizeof(int),
                  maskBytes = (size_t)tiles * GlDevice::GROUP * sizeof(uint);
     if (std::max(stateBytes, maskBytes) > device.limits().blockBytes)

@@ -18,8 +18,19 @@ struct Gradients
 {
     bool isOriented;
     Mat dx, dy;
+    UMat dxOnDevice, dyOnDevice; //!< in their place, where both are on OpenCV's device
 
-    //! Throws unless both are empty, or both of this size, of one of the two types, and finite.
+    static Gradients none();
+    static Gradients of(InputArray dx, InputArray dy);
+
+    bool areOnDevice() const { return !dxOnDevice.empty(); }
+    bool areEstimated() const { return isOriented && dx.empty() && !areOnDevice(); }
+
+    //! Brings dx and dy to the host, if they are on the device.
+    Gradients onHost() const;
+
+    /** Throws unless both are empty, or both of this size, of one of the two types, and finite;
+    those on the device are looked at when their directions are found. */
     void check(Size size) const;
     //! The directions that pixels vote for (directionBits), tolerance in degrees.
     void findBits(const Mat& votes, double tolerance, EstimatedGradients& estimated,

@@ -4,6 +4,7 @@
 
 #include "houghgrid.hpp"
 
+#include <climits>
 #include <cmath>
 #include <cstring>
 
@@ -36,9 +37,14 @@ const double MOST_LINES = 4294967296.; // cv::HoughLines would need 16 GiB for a
 
 } // namespace
 
+bool HoughGrid::isSmall() const
+{
+    return mostDistance <= MOST_SMALL;
+}
+
 int HoughGrid::nearest(float value) const
 {
-    return mostDistance <= MOST_SMALL ? nearestSmall(value) : cvRound(value);
+    return isSmall() ? nearestSmall(value) : cvRound(value);
 }
 
 bool HoughGrid::isAxisParallel(int angle) const
@@ -131,6 +137,14 @@ EdgePixels::EdgePixels(const EdgeMap& edgeMap) : edges(&edgeMap)
     }
 }
 
+int mostWalkedLines(const HoughGrid& grid, size_t pixels)
+{
+    // A line costs a test of each pixel across its band and one on either side of it, for each of
+    // its steps; such a test takes about as long as a pixel of the histogram.
+    return (int)std::min<double>(
+        INT_MAX, pixels / (std::max(grid.image.width, grid.image.height) * (grid.rho + 2)));
+}
+
 BandCounter::BandCounter(const EdgePixels& pixels, const HoughGrid& grid)
     : pixels_(pixels), grid_(grid)
 {
@@ -141,11 +155,7 @@ void BandCounter::count(int angle, const std::vector<int>& distances, std::vecto
     votes.resize(distances.size());
     if (distances.empty())
         return;
-    // A line costs a test of each pixel across its band and one on either side of it, for each of
-    // its steps; such a test takes about as long as a pixel of the histogram.
-    const double steps = (double)distances.size() *
-                         std::max(grid_.image.width, grid_.image.height) * (grid_.rho + 2);
-    if (steps < pixels_.count())
+    if (distances.size() <= (size_t)mostWalkedLines(grid_, pixels_.count()))
     {
         for (size_t k = 0; k < distances.size(); ++k)
             votes[k] = countLine(angle, distances[k]);
@@ -184,7 +194,7 @@ void BandCounter::countAll(int angle)
             }
             continue;
         }
-        if (grid_.mostDistance <= MOST_SMALL)
+        if (grid_.isSmall())
             for (int k = 0; k < run; ++k)
                 indices[k] = nearestSmall(position(x[k], y[k], c, s));
         else
@@ -242,145 +252,6 @@ void allDistances(const HoughGrid& grid, int angle, std::vector<int>& distances)
     distances.clear();
     for (int i = first; i <= last; ++i)
         distances.push_back(i);
-}
-
-namespace {
-
-//! The number of the border point that a line meets on a side, as a real number affine in the
-//! line's rho.
-struct BorderCrossing
-{
-    int side, first, last; //!< border points of the side
-    double offset, slope;
-
-    int pointAt(double rho) const
-    {
-        return std::min(std::max((int)(offset + slope * rho), first), last);
-    }
-};
-
-//! Crossings of the lines of one normal with a side of the frame, rho and coordinates relative to
-//! its corner.
-BorderCrossing crossingWith(const Cell& frame, int side, double c, double s)
-{
-    const double w = frame.width, h = frame.height;
-    BorderCrossing crossing;
-    crossing.side = side;
-    crossing.first = frame.firstPoint(side);
-    crossing.last = crossing.first + frame.pointCount(side) - 1;
-    switch (side)
-    {
-    case SIDE_TOP: // x = rho / c
-        crossing.slope = 1 / c;
-        crossing.offset = 0;
-        break;
-    case SIDE_RIGHT: // y = (rho - w c) / s
-        crossing.slope = 1 / s;
-        crossing.offset = w - w * c / s;
-        break;
-    case SIDE_BOTTOM: // x = (rho - h s) / c, from right to left
-        crossing.slope = -1 / c;
-        crossing.offset = w + h + w + h * s / c;
-        break;
-    default: // y = rho / s, upwards
-        crossing.slope = -1 / s;
-        crossing.offset = 2 * w + h + h;
-    }
-    return crossing;
-}
-
-//! The most votes among the chords of s and e and their neighbours on the same sides.
-template<class Votes>
-int mostVotesNear(const Votes* table, const Cell& frame, const BorderCrossing& from,
-                  const BorderCrossing& to, double rho)
-{
-    const int s = from.pointAt(rho), e = to.pointAt(rho);
-    const int s0 = std::max(s - 1, from.first), s1 = std::min(s + 1, from.last);
-    const int e0 = std::max(e - 1, to.first), e1 = std::min(e + 1, to.last);
-    const ptrdiff_t rowLength = frame.rowLength(from.side);
-    const Votes* row = table + frame.rowStart(s0);
-    const int firstPartner = frame.firstPartner(from.side);
-    Votes most = 0;
-    for (int p = s0; p <= s1; ++p, row += rowLength)
-        most = std::max(most, std::max(row[e - firstPartner],
-                                       std::max(row[e0 - firstPartner], row[e1 - firstPartner])));
-    return (int)most;
-}
-
-template<class Votes>
-void supportedDistancesOf(const VoteTable& table, const Cell& frame, const HoughGrid& grid,
-                          int angle, int needed, std::vector<int>& distances)
-{
-    const Votes* votes = table.ptr<Votes>();
-    const double c = std::cos(grid.thetas[angle]), s = std::sin(grid.thetas[angle]);
-    // Samples a pixel apart at most: `samples` per line, the line's own in their middle.
-    const int samples = std::max(1, cvCeil(grid.rho));
-    const double spacing = grid.rho / samples,
-                 shift = 0.5 * (c + s) - 0.5 * (samples - 1) * spacing;
-    int first, last;
-    grid.distanceRange(angle, first, last);
-    std::vector<int> support((size_t)(last - first + 1), 0);
-
-    // Between the corners of the frame in the order of their rho, the lines meet the same two
-    // sides.
-    const double w = frame.width, h = frame.height;
-    double corners[4] = {0, w * c, h * s, w * c + h * s};
-    std::sort(corners, corners + 4);
-    const double low[4] = {std::min(0., w * c), std::min(w * c, w * c + h * s),
-                           std::min(h * s, w * c + h * s), std::min(0., h * s)};
-    const double high[4] = {std::max(0., w * c), std::max(w * c, w * c + h * s),
-                            std::max(h * s, w * c + h * s), std::max(0., h * s)};
-    for (int k = 0; k < 3; ++k)
-    {
-        if (corners[k + 1] - corners[k] < 1e-6)
-            continue;
-        const double middle = 0.5 * (corners[k] + corners[k + 1]);
-        int sides[4], n = 0;
-        for (int side = SIDE_TOP; side <= SIDE_LEFT; ++side)
-            if (low[side] < middle && middle < high[side])
-                sides[n++] = side;
-        if (n != 2) // the middle is a corner up to rounding
-            continue;
-        const BorderCrossing from = crossingWith(frame, sides[0], c, s),
-                             to = crossingWith(frame, sides[1], c, s);
-        // Sample f of the angle is number f mod samples of line first + f / samples.
-        const double start = first * grid.rho + shift;
-        const double count = (double)support.size() * samples;
-        const double begin =
-            std::min(count, std::max(0., std::ceil((corners[k] - start) / spacing)));
-        const double end =
-            std::min(count, std::max(0., std::ceil((corners[k + 1] - start) / spacing)));
-        int line = (int)(begin / samples), sample = (int)(begin - (double)line * samples);
-        for (double f = begin; f < end; f += 1)
-        {
-            support[line] += mostVotesNear(votes, frame, from, to, start + f * spacing);
-            if (++sample == samples)
-            {
-                sample = 0;
-                ++line;
-            }
-        }
-    }
-    distances.clear();
-    for (size_t i = 0; i < support.size(); ++i)
-        if (support[i] >= needed)
-            distances.push_back(first + (int)i);
-}
-
-} // namespace
-
-void supportedDistances(const VoteTable& table, const Cell& frame, const HoughGrid& grid, int angle,
-                        int needed, std::vector<int>& distances)
-{
-    // A band as wide as the image holds most pixels anyway.
-    if (grid.rho >= std::max(grid.image.width, grid.image.height))
-        allDistances(grid, angle, distances);
-    else if (table.depth == 1)
-        supportedDistancesOf<uchar>(table, frame, grid, angle, needed, distances);
-    else if (table.depth == 2)
-        supportedDistancesOf<ushort>(table, frame, grid, angle, needed, distances);
-    else
-        supportedDistancesOf<int>(table, frame, grid, angle, needed, distances);
 }
 
 } // namespace linespace

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// The grid of lines of the Hough transform, what the Line Space says about them, and how their
-// votes are counted (doc/algorithm.md, section 8).
+// The grid of lines of the Hough transform, and how their votes are counted (doc/algorithm.md,
+// section 8).
 
 #ifndef OPENCV_LINESPACE_HOUGHGRID_HPP
 #define OPENCV_LINESPACE_HOUGHGRID_HPP
@@ -41,8 +41,18 @@ struct HoughGrid
     //! Nearest integer, ties to even, of a pixel's position in units of rho.
     int nearest(float value) const;
 
+    //! Whether all positions are so small (below 2^22) that the nearest integer is in the low bits
+    //! of a sum.
+    bool isSmall() const;
+
     //! Smallest and largest i that a pixel of the image can have at an angle.
     void distanceRange(int angle, int& first, int& last) const;
+};
+
+//! A line of the grid that has so many votes.
+struct GridLine
+{
+    int votes, angle, distance;
 };
 
 //! The edge pixels by rows, and as a map with its transpose for walks along lines.
@@ -55,6 +65,9 @@ struct EdgePixels
     explicit EdgePixels(const EdgeMap& edgeMap);
     size_t count() const { return x.size(); }
 };
+
+//! Up to so many lines of an angle are cheaper to count one by one than with all pixels.
+int mostWalkedLines(const HoughGrid& grid, size_t pixels);
 
 //! Counts the votes of lines of one angle, by whichever way is cheaper: all pixels, or each line's
 //! own.
@@ -74,11 +87,7 @@ private:
     std::vector<int> histogram_;
 };
 
-/** The lines of an angle whose nearest chords have at least `needed` votes in the table.
-For rho of more than a pixel, the votes of chords a pixel apart across the band are added up. */
-void supportedDistances(const VoteTable& table, const Cell& frame, const HoughGrid& grid, int angle,
-                        int needed, std::vector<int>& distances);
-
+//! All lines of an angle that a pixel can vote for.
 void allDistances(const HoughGrid& grid, int angle, std::vector<int>& distances);
 
 } // namespace linespace

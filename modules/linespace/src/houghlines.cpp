@@ -8,30 +8,13 @@
 // an edge pixel votes for line (i, j) if the rounded x cos(theta) / rho + y sin(theta) / rho is i.
 // Then the strongest is taken first, and what lies within one cell of it is dropped.
 
-#include "backends.hpp"
-#include "houghgrid.hpp"
-
-#include <climits>
-#include <cmath>
+#include "executor_pool.hpp"
+#include "grid_support.hpp"
 
 namespace cv {
 namespace linespace {
 
 namespace {
-
-//! Tables larger than this are not made: all lines of the grid are counted then.
-const double MOST_TABLE_BYTES = 2048. * (1 << 20);
-
-/** Share of the threshold that the votes of the chords near a line must have for it to be counted.
-The band of a line holds pixels that no single chord holds, and the cascade's polylines miss some
-that a chord holds. Measured by test/conformance: at 0.3 to 0.5 about one line in a thousand of the
-worst case is lost, at 0.6 whole cases are. */
-const double CHORD_SHARE = 0.4;
-
-struct GridLine
-{
-    int votes, angle, distance;
-};
 
 bool isStronger(const GridLine& a, const GridLine& b)
 {
@@ -40,32 +23,21 @@ bool isStronger(const GridLine& a, const GridLine& b)
                                 : a.distance < b.distance;
 }
 
-//! The lines of the grid with more votes than the threshold that the Line Space does not rule out.
-std::vector<GridLine> countedLines(const EdgeMap& edges, bool isUMat, const HoughGrid& grid,
-                                   int threshold)
+//! As Executor::countGridLines, with the executor's table.
+void countOnHost(Executor& executor, const EdgeMap& edges, const Plan& plan, const HoughGrid& grid,
+                 int threshold, std::vector<GridLine>& all)
 {
-    const Ptr<const Plan> plan = Plan::cascaded(edges.votes.size(), 8);
-    const int last = plan->levelCount() - 1;
+    const int last = plan.levelCount() - 1;
     const EdgePixels pixels(edges);
     VoteTables tables;
-    // The time, in that of a pixel at one angle: every pixel at every angle, or the cascade and a look
-    // at its table for every line of the grid (measured on photographs, doc/performance.md).
-    const double chords = (double)plan->frame().chordCount(), angles = grid.angles;
-    const double sides = edges.votes.cols + edges.votes.rows;
-    const bool isSparse = pixels.count() * angles < 7 * chords + 40 * sides * angles;
-    const bool hasTable =
-        !isSparse && workingMemory(*plan, edges.weighted, false, last) <= MOST_TABLE_BYTES;
+    const bool hasTable = !countsAllLines(plan, grid, edges.weighted, pixels.count());
     if (hasTable)
     {
         StageTimes times;
-        runOn(BACKEND_AUTO, isUMat, Ptr<Executor>(),
-              [&](Executor& executor)
-              {
-                  countVotes(executor, edges, *plan, false, last, tables, times);
-                  executor.fetch(tables.of(last));
-              });
+        countVotes(executor, edges, plan, false, last, tables, times);
+        executor.fetch(tables.of(last));
     }
-    const int needed = std::max(1, cvFloor(CHORD_SHARE * threshold));
+    const int needed = neededSupport(threshold);
 
     std::vector<std::vector<GridLine>> found(grid.angles);
     parallel_for_(Range(0, grid.angles),
@@ -76,8 +48,8 @@ std::vector<GridLine> countedLines(const EdgeMap& edges, bool isUMat, const Houg
                       for (int angle = range.start; angle < range.end; ++angle)
                       {
                           if (hasTable)
-                              supportedDistances(tables.of(last), plan->frame(), grid, angle,
-                                                 needed, distances);
+                              supportedDistances(tables.of(last), plan.frame(), grid, angle, needed,
+                                                 distances);
                           else
                               allDistances(grid, angle, distances);
                           counter.count(angle, distances, votes);
@@ -89,10 +61,40 @@ std::vector<GridLine> countedLines(const EdgeMap& edges, bool isUMat, const Houg
                               }
                       }
                   });
-    std::vector<GridLine> all;
+    all.clear();
     for (size_t i = 0; i < found.size(); ++i)
         all.insert(all.end(), found[i].begin(), found[i].end());
-    return all;
+}
+
+//! Brings the edge map to the host.
+void readEdges(InputArray image, EdgeMap& edges)
+{
+    const Mat source = image.getMat(); // goes back to its device at the end
+    if (!edges.weighted)
+        cv::min(source, Scalar(1), edges.votes);
+    else
+        edges.votes = source.isContinuous() && !image.isUMat() ? source : source.clone();
+}
+
+//! The lines of the grid with more votes than the threshold that the Line Space does not rule out.
+std::vector<GridLine> countedLines(InputArray image, bool weighted, const HoughGrid& grid,
+                                   int threshold)
+{
+    const Ptr<const Plan> plan = Plan::cascaded(grid.image, 8);
+    EdgeMap edges;
+    edges.weighted = weighted;
+    edges.source = onDevice(image);
+    std::vector<GridLine> found;
+    const auto count = [&](Executor& executor)
+    {
+        if (edges.source.empty() || !executor.takesUMats())
+            readEdges(image, edges);
+        if (!executor.countGridLines(edges, *plan, grid, threshold, found))
+            countOnHost(executor, edges, *plan, grid, threshold, found);
+    };
+    const Ptr<Executor> kept = takeExecutor(chosenBackend(BACKEND_AUTO, image.isUMat()));
+    giveExecutor(runOn(BACKEND_AUTO, image.isUMat(), kept, count));
+    return found;
 }
 
 //! Keeps, strongest first, the lines that are not within one cell of a stronger one.
@@ -146,13 +148,16 @@ void HoughLines(InputArray image, OutputArray lines, double rho, double theta, i
                 Error::StsUnsupportedFormat,
                 ("lines has type %s: must be CV_32FC2 or CV_32FC3", typeToString(type).c_str()));
     }
-    Mat source = image.getMat();
-    if (source.type() != CV_8UC1)
+    // What is on a device stays there.
+    const Mat source = image.isUMat() ? Mat() : image.getMat();
+    const int sourceType = image.isUMat() ? image.type() : source.type();
+    const Size size = image.isUMat() ? image.size() : source.size();
+    if (sourceType != CV_8UC1)
         CV_Error_(Error::StsUnsupportedFormat,
-                  ("image has type %s: must be CV_8UC1", typeToString(source.type()).c_str()));
+                  ("image has type %s: must be CV_8UC1", typeToString(sourceType).c_str()));
     // As in cv::HoughLines, a negative step is an error unless it is so large that there is nothing
     // to count.
-    const double distances = (2. * (source.cols + source.rows) + 1) / rho,
+    const double distances = (2. * (size.width + size.height) + 1) / rho,
                  angles = (max_theta - min_theta) / theta;
     if ((rho < 0 && cvRound(distances) == 0) ||
         (theta < 0 && rho != 0 && angles >= -0.5 && angles <= 0))
@@ -160,26 +165,16 @@ void HoughLines(InputArray image, OutputArray lines, double rho, double theta, i
         lines.release();
         return;
     }
-    const HoughGrid grid(source.size(), rho / std::max(1., srn), theta / std::max(1., stn),
-                         min_theta, max_theta);
+    const HoughGrid grid(size, rho / std::max(1., srn), theta / std::max(1., stn), min_theta,
+                         max_theta);
 
     std::vector<GridLine> found;
-    if (!source.empty())
-        withMemoryFor("image", source.size(),
+    if (!size.empty())
+        withMemoryFor("image", size,
                       [&]()
                       {
-                          EdgeMap edges;
-                          edges.weighted = use_edgeval;
-                          if (use_edgeval)
-                              edges.votes = source.isContinuous() && !image.isUMat()
-                                                ? source
-                                                : source.clone();
-                          else
-                              cv::min(source, Scalar(1), edges.votes);
-                          source.release(); // gives a UMat back to its device
-                          edges.source = onDevice(image);
                           std::vector<GridLine> counted =
-                              countedLines(edges, image.isUMat(), grid, threshold);
+                              countedLines(image, use_edgeval, grid, threshold);
                           found = strongestOfCells(counted, grid);
                       });
     if (found.empty())

@@ -66,8 +66,8 @@ MergeRectangle rectangleOf(const Merge& merge, const Part& partOfS, const Part& 
 
 std::vector<MergeRectangle> mergeRectangles(const Merge& merge)
 {
-    // Each side of a child that is not the shared one is one part, but its points follow one another
-    // on the parent as well.
+    // Each side of a child that is not the shared one is one part, but its points follow one
+    // another on the parent as well.
     std::vector<Part> parts;
     for (int side = SIDE_TOP; side <= SIDE_LEFT; ++side)
     {

@@ -13,8 +13,8 @@
 namespace cv {
 namespace linespace {
 
-/** The chords (s + a, e + b) of the parent, a = 0 .. rows - 1, b = 0 .. columns - 1, all s + a on one
-side of one child, and all e + b on one side of one child.
+/** The chords (s + a, e + b) of the parent, a = 0 .. rows - 1, b = 0 .. columns - 1, all s + a on
+one side of one child, and all e + b on one side of one child.
 
 Their indices are start + a rowLength + b. Either all lie in child childS, where they are chords
 partS + a stepS + b stepE; or all cross the shared side, at m = crossing(s + a, e + b), and are the

@@ -10,8 +10,11 @@
 
 #include "cell_chords.hpp"
 #include "ocl_ascent.hpp"
+#include "ocl_directions.hpp"
+#include "ocl_houghlines.hpp"
 #include "ocl_launch.hpp"
 #include "ocl_maxima.hpp"
+#include "ocl_pruning.hpp"
 
 namespace cv {
 namespace linespace {
@@ -23,7 +26,6 @@ struct DeviceSegment
 {
     int firstEnd, count, isCrossing, childS, chordS, strideS, chordE, strideE, stepE;
     int numerator, numeratorStep, denominator, denominatorStep;
-    int pointS, pointE, sharedS, directionS, sharedE, directionE;
 };
 
 DeviceSegment deviceSegment(const Merge& merge, int s, const Segment& segment)
@@ -40,13 +42,7 @@ DeviceSegment deviceSegment(const Merge& merge, int s, const Segment& segment)
                             0,
                             0,
                             1,
-                            0,
-                            merge.childPoint(s),
-                            merge.childPoint(segment.firstEnd),
-                            merge.sharedPoint(segment.childS, 0),
-                            merge.sharedDirection(segment.childS),
-                            merge.sharedPoint(1 - segment.childS, 0),
-                            merge.sharedDirection(1 - segment.childS)};
+                            0};
     if (!segment.isCrossing)
         return result;
     const CrossingRun run(merge, s, segment.firstEnd);
@@ -105,11 +101,17 @@ public:
             listCells(plan);
         const DevicePixels votes = takePixels(edges, plan);
         allocateOn(gathered_, (size_t)pixels * cells);
+        const int together = (int)std::min<size_t>(table.cells, MOST_TOGETHER);
+        const bool byPieces = isProcessor() && together == MOST_TOGETHER;
         Launch gather(CASCADE_PROGRAM, "gatherPixels",
-                      "-D FIRST_CELLS -D PARENT=uchar -D CELLS=1" + votes.options);
+                      format("-D FIRST_CELLS -D PARENT=uchar -D CELLS=%d", byPieces ? 16 : 1) +
+                          votes.options);
         votes.giveTo(gather);
-        gather.with(in(corners_), cells, pixels, level.cell.width, out(gathered_))
-            .run(cells, pixels);
+        gather.with(in(corners_), cells, pixels, level.cell.width, out(gathered_));
+        if (byPieces)
+            gather.run(cells / together, (level.cell.width + 7) / 8 * level.cell.height);
+        else
+            gather.run(cells, pixels);
         if (edges.isOriented())
         {
             allocateOn(gatheredDirections_, (size_t)pixels * cells * sizeof(ushort));
@@ -118,7 +120,6 @@ public:
                       level.cell.width, out(gatheredDirections_))
                 .run(cells, pixels);
         }
-        const int together = (int)std::min<size_t>(table.cells, MOST_TOGETHER);
         Launch first(
             CASCADE_PROGRAM, "firstCells",
             format("-D FIRST_CELLS -D PARENT=%s -D CELLS=%d", typeOf(table.depth), together) +
@@ -130,38 +131,18 @@ public:
             .run(cells / together, table.chords);
     }
 
-    void mergeCells(const Plan& plan, int l, const VoteTable& child, VoteTable& parent,
-                    int worthless) CV_OVERRIDE
+    void mergeCells(const Plan& plan, int l, const VoteTable& child, VoteTable& parent) CV_OVERRIDE
     {
         prepare(plan);
-        LevelTables& level = levels_[l];
-        if (!level.isReady)
-            listRows(plan.merge(l), level);
+        const LevelTables& level = rowsOfLevel(plan, l);
         const int together = (int)std::min<size_t>(parent.cells, MOST_TOGETHER);
         const int run = chordsPerItem();
-        const Size size((level.longestRow + run - 1) / run, level.rowCount);
-        const String options =
-            format("-D MERGE -D MAX_SEGMENTS=%d -D RUN=%d -D CHILD=%s -D PARENT=%s -D CELLS=%d",
-                   MAX_SEGMENTS, run, typeOf(child.depth), typeOf(parent.depth), together);
-        if (worthless < 0 || parent.cells > 1 || parent.chords < LEAST_PRUNED)
-        {
-            Launch(CASCADE_PROGRAM, "mergeCells", options)
-                .with(in(level.segments), in(level.rows), level.rowCount, (int)parent.cells,
-                      in(child.device), out(parent.device))
-                .run(size.width, size.height, run > 1);
-            return;
-        }
-        const Cell& cell = plan.level(l - 1).cell;
-        const int blocks = (cell.borderCount() + BLOCK - 1) / BLOCK;
-        const String pruned = options + format(" -D PRUNED -D BLOCK=%d", (int)BLOCK);
-        allocateOn(pools_, (size_t)blocks * blocks * sizeof(Vec2i));
-        Launch(CASCADE_PROGRAM, "poolVotes", pruned)
-            .with(in(child.device), cell.width, cell.height, blocks, out(pools_))
-            .run(blocks, blocks);
-        Launch(CASCADE_PROGRAM, "mergeCells", pruned)
+        Launch(CASCADE_PROGRAM, "mergeCells",
+               format("-D MERGE -D MAX_SEGMENTS=%d -D RUN=%d -D CHILD=%s -D PARENT=%s -D CELLS=%d",
+                      MAX_SEGMENTS, run, typeOf(child.depth), typeOf(parent.depth), together))
             .with(in(level.segments), in(level.rows), level.rowCount, (int)parent.cells,
-                  in(child.device), out(parent.device), in(pools_), blocks, worthless)
-            .run(size.width, size.height, run > 1);
+                  in(child.device), out(parent.device))
+            .run((level.longestRow + run - 1) / run, level.rowCount, run > 1);
     }
 
     void exactVotes(const EdgeMap& edges, const Plan& plan, VoteTable& table) CV_OVERRIDE
@@ -190,14 +171,63 @@ public:
                     const Wanted& wanted, int radius, int ascentRadius,
                     std::vector<Candidate>& found, bool& areCounted) CV_OVERRIDE
     {
-        const auto count = [&](const UMat& candidates, int room)
+        if (!DeviceMaxima::canFind(wanted))
+            return false;
+        maxima_.find(edges, plan, table, wanted, radius, 0, counting(ascentRadius, areCounted),
+                     found);
+        return true;
+    }
+
+    int levelForPruning(const Plan& plan, bool weighted) CV_OVERRIDE
+    {
+        prepare(plan);
+        const int base = DevicePruning::baseLevel(plan, weighted);
+        return base >= 0 && pruning_.isWorthATry() ? base : -1;
+    }
+
+    bool findMaximaPruned(const EdgeMap& edges, const Plan& plan, int base, VoteTables& tables,
+                          const Wanted& wanted, int radius, int ascentRadius,
+                          std::vector<Candidate>& found, bool& areCounted) CV_OVERRIDE
+    {
+        if (!DeviceMaxima::canFind(wanted))
+            return false;
+        prepare(plan);
+        const VoteTable& whole = tables.of(base);
+        std::vector<DevicePruning::Votes> above;
+        for (int l = base + 1; l < plan.levelCount(); ++l)
         {
-            if (ascentRadius < 0)
-                return;
-            ascent_.count(ascentRadius, candidates, room);
-            areCounted = true;
+            const LevelTables& level = rowsOfLevel(plan, l);
+            const DevicePruning::Votes own = {level.segments, level.rows, UMat(),
+                                              edges.depthFor(plan.level(l).maxVotes)};
+            above.push_back(own);
+            if ((l - base) % 2 == 1)
+            {
+                allocate(plan.level(l), own.depth, tables.of(l));
+                above.back().table = tables.of(l).device;
+                continue;
+            }
+            // The whole one must stay for a second count.
+            allocateOn(between_, plan.level(l).tableSize() * own.depth);
+            above.back().table = between_;
+        }
+        pruning_.bound(plan, base, whole);
+        PrunedVotes pruned;
+        pruned.block = DevicePruning::BLOCK;
+        pruned.count = [&](int cut, int sample)
+        {
+            pruning_.count(whole, above, cut, sample);
         };
-        return maxima_.find(edges, plan, table, wanted, radius, count, found);
+        pruned.needed = [&]()
+        {
+            return pruning_.needed();
+        };
+        pruned.learn = [&](int count)
+        {
+            pruning_.learn(count);
+        };
+        maxima_.find(edges, plan, tables.of(plan.levelCount() - 1), wanted, radius, &pruned,
+                     counting(ascentRadius, areCounted), found);
+        return true;
     }
 
     bool readsBits(const EdgeMap& edges) const CV_OVERRIDE
@@ -228,6 +258,24 @@ public:
         download(sums_, votes.size() * sizeof(int), votes.data());
     }
 
+    UMat findDirections(const EdgeMap& edges, const Plan& plan, const UMat& dx, const UMat& dy,
+                        double tolerance) CV_OVERRIDE
+    {
+        prepare(plan);
+        return dx.empty() ? deviceDirections_.estimate(votesOf(edges), tolerance)
+                          : deviceDirections_.find(votesOf(edges), dx, dy, tolerance);
+    }
+
+    bool countGridLines(const EdgeMap& edges, const Plan& plan, const HoughGrid& grid,
+                        int threshold, std::vector<GridLine>& found) CV_OVERRIDE
+    {
+        prepare(plan);
+        if (!houghLines_)
+            houghLines_ = makePtr<DeviceHoughLines>();
+        houghLines_->count(*this, edges, plan, grid, threshold, found);
+        return true;
+    }
+
     void writeTable(const Plan& plan, int l, const VoteTable& table, const UMat& out) CV_OVERRIDE
     {
         prepare(plan);
@@ -256,9 +304,7 @@ public:
 private:
     enum
     {
-        MOST_TOGETHER = 16, //!< cells of a work item
-        BLOCK = 16,         //!< chords a side of a pool
-        LEAST_PRUNED = 1000 //!< chords of a table for which pools are worth their launch
+        MOST_TOGETHER = 16 //!< cells of a work item
     };
 
     //! What the device needs to know of a level of the plan.
@@ -282,6 +328,18 @@ private:
     //! Consecutive chords that a work item merges.
     static int chordsPerItem() { return isProcessor() ? 64 : 1; }
 
+    //! What counts candidates exactly, with an ascentRadius as that of findMaxima.
+    std::function<void(const UMat&, int)> counting(int ascentRadius, bool& areCounted)
+    {
+        if (ascentRadius >= 0)
+            areCounted = true;
+        return [=](const UMat& candidates, int room)
+        {
+            if (ascentRadius >= 0)
+                ascent_.count(ascentRadius, candidates, room);
+        };
+    }
+
     //! The pixels of a map that is to be counted.
     DevicePixels takePixels(const EdgeMap& edges, const Plan& plan)
     {
@@ -293,7 +351,9 @@ private:
     DevicePixels votesOf(const EdgeMap& edges)
     {
         DevicePixels votes;
-        if (edges.isOriented())
+        if (!edges.directionsOnDevice.empty())
+            votes.directions = edges.directionsOnDevice;
+        else if (edges.isOriented())
         {
             edges.directions.copyTo(directions_);
             votes.directions = directions_;
@@ -331,6 +391,15 @@ private:
         plan_ = key;
         levels_.assign(plan.levelCount(), LevelTables());
         knowsCells_ = false;
+        pruning_.reset();
+    }
+
+    const LevelTables& rowsOfLevel(const Plan& plan, int l)
+    {
+        LevelTables& level = levels_[l];
+        if (!level.isReady)
+            listRows(plan.merge(l), level);
+        return level;
     }
 
     //! The corners of the cells of level 0 in the order of the table, and the pixels of its chords.
@@ -395,10 +464,13 @@ private:
     UMat corners_, pixels_, starts_, bins_; //!< of cells and chords of level 0
     UMat votes_, directions_;               //!< the edge map, where it was on the host
     UMat gathered_, gatheredDirections_;
-    UMat pools_;
     UMat chords_, sums_; //!< of rescore
+    UMat between_;       //!< the table of the last level but one, where it is pruned
+    DevicePruning pruning_;
     DeviceMaxima maxima_;
     DeviceAscent ascent_;
+    DeviceDirections deviceDirections_;
+    Ptr<DeviceHoughLines> houghLines_; //!< empty until it is needed
 };
 
 } // namespace

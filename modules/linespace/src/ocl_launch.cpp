@@ -36,13 +36,20 @@ const ocl::ProgramSource& sourceOf(DeviceProgram program)
     static const ocl::ProgramSource ascent = joined({chords_oclsrc, pixels_oclsrc, ascent_oclsrc}),
                                     cascade =
                                         joined({chords_oclsrc, pixels_oclsrc, cascade_oclsrc}),
+                                    directions =
+                                        joined({chords_oclsrc, pixels_oclsrc, directions_oclsrc}),
+                                    houghlines = joined({chords_oclsrc, houghlines_oclsrc}),
                                     maxima = joined({chords_oclsrc, maxima_oclsrc}),
+                                    pruning = joined({chords_oclsrc, pruning_oclsrc}),
                                     table = joined({chords_oclsrc, table_oclsrc});
     switch (program)
     {
     case ASCENT_PROGRAM: return ascent;
     case CASCADE_PROGRAM: return cascade;
+    case DIRECTIONS_PROGRAM: return directions;
+    case HOUGHLINES_PROGRAM: return houghlines;
     case MAXIMA_PROGRAM: return maxima;
+    case PRUNING_PROGRAM: return pruning;
     default: return table;
     }
 }
@@ -54,14 +61,18 @@ const char* typeOf(int depth)
     return depth == 1 ? "uchar" : depth == 2 ? "ushort" : "int";
 }
 
+void checkAllocation(double bytes)
+{
+    if (bytes > std::min<size_t>(ocl::Device::getDefault().maxMemAllocSize(), INT_MAX))
+        throw DeviceFailure(format("%.0f bytes are more than the device gives at once", bytes));
+}
+
 void allocateOn(UMat& memory, size_t bytes)
 {
     if (bytes <= (size_t)memory.cols)
         return;
     memory.release();
-    if (bytes > std::min<size_t>(ocl::Device::getDefault().maxMemAllocSize(), INT_MAX))
-        throw DeviceFailure(
-            format("%.0f bytes are more than the device gives at once", (double)bytes));
+    checkAllocation((double)bytes);
     memory.create(1, (int)bytes, CV_8UC1);
 }
 
@@ -89,7 +100,7 @@ Launch::Launch(DeviceProgram program, const char* name, const String& options)
 
 void Launch::run(size_t width, size_t height, bool alongRows)
 {
-    size_t items = GROUP;
+    size_t items = alongRows ? GROUP_OF_ROWS : GROUP;
     while (items > kernel_.workGroupSize())
         items /= 2;
     size_t local[2] = {alongRows ? 1 : items, alongRows ? items : 1}, global[2] = {width, height};

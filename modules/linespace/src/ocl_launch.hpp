@@ -18,6 +18,9 @@ namespace linespace {
 //! The type of votes of so many bytes, in OpenCL C.
 const char* typeOf(int depth);
 
+//! Throws DeviceFailure if the device does not give so many bytes at once.
+void checkAllocation(double bytes);
+
 //! Makes a row of at least so many bytes on the device; what it held may be lost.
 void allocateOn(UMat& memory, size_t bytes);
 
@@ -49,7 +52,10 @@ enum DeviceProgram
 {
     ASCENT_PROGRAM,
     CASCADE_PROGRAM,
+    DIRECTIONS_PROGRAM,
+    HOUGHLINES_PROGRAM,
     MAXIMA_PROGRAM,
+    PRUNING_PROGRAM,
     TABLE_PROGRAM
 };
 
@@ -60,7 +66,9 @@ class Launch
 public:
     enum
     {
-        GROUP = 64 //!< most work items of a group
+        GROUP = 64, //!< most work items of a group
+        GROUP_OF_ROWS =
+            8 //!< where each has so much to do that few groups would keep few cores busy
     };
 
     Launch(DeviceProgram program, const char* name, const String& options);

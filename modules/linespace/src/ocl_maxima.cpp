@@ -20,9 +20,11 @@ enum
 {
     RUN = 32,
     TILE = 64,
+    USUAL = 3,
     NUMBERS = 5
 };
-//! A cut for the search comes from one run of so many.
+
+//! The first image's cut comes from one run or block of so many.
 const int SAMPLE = 32;
 
 const size_t THREE = 3 * sizeof(int);
@@ -31,13 +33,12 @@ static_assert(sizeof(Candidate) == THREE, "votes, s and e, as the device writes 
 
 } // namespace
 
-bool DeviceMaxima::find(const EdgeMap& edges, const Plan& plan, const VoteTable& table,
-                        const Wanted& wanted, int radius,
+void DeviceMaxima::find(const EdgeMap& edges, const Plan& plan, const VoteTable& table,
+                        const Wanted& wanted, int radius, const PrunedVotes* pruned,
                         const std::function<void(const UMat&, int)>& count,
                         std::vector<Candidate>& found)
 {
-    if (wanted.accepts && !wanted.leastVotesDecide)
-        return false;
+    CV_DbgAssert(canFind(wanted));
     const Cell& frame = plan.frame();
     const Size image = plan.imageSize();
     const int chords = (int)table.chords, runs = (chords + RUN - 1) / RUN;
@@ -64,46 +65,64 @@ bool DeviceMaxima::find(const EdgeMap& edges, const Plan& plan, const VoteTable&
     {
         return Launch(MAXIMA_PROGRAM, kernel, options);
     };
-    const auto search = [&](int sample)
+    const String required = isRequired ? " -D REQUIRED" : "";
+    const auto require = [&](Launch& search)
     {
         if (isRequired)
-            Launch(MAXIMA_PROGRAM, "searchMaxima", options + " -D REQUIRED")
-                .with(in(table.device), chords, frame.width, frame.height, in(leastVotes_),
-                      image.width, image.height, in(numbers_), sample, inOut(histogram_),
-                      out(masks_))
-                .run(runs / sample, 1);
-        else
-            launch("searchMaxima")
-                .with(in(table.device), chords, frame.width, frame.height, in(numbers_), sample,
-                      inOut(histogram_), out(masks_))
-                .run(runs / sample, 1);
+            search.with(in(leastVotes_), image.width, image.height);
     };
-    launch("resetSearch").with(out(histogram_), bins, wanted.threshold, out(numbers_)).run(bins, 1);
-    if (isFew)
+    const auto searchAbove = [&](int cut, int sample)
     {
-        search(SAMPLE);
-        // Half as many again, as the maxima of strong lines stand together.
-        const int rank = (most + most / 2) / SAMPLE + 1;
-        launch("raiseCut").with(inOut(histogram_), bins, rank, inOut(numbers_)).run(1, 1);
-    }
-    search(1);
-    if (isFew)
-    {
-        launch("checkCut")
-            .with(inOut(histogram_), bins, most, wanted.threshold, inOut(numbers_))
-            .run(1, 1);
-        search(1);
-    }
-    launch("chooseLeast").with(in(histogram_), bins, most, inOut(numbers_)).run(1, 1);
-    launch("countTiles")
-        .with(in(table.device), in(masks_), runs, in(numbers_), out(counts_), tiles)
-        .run(tiles, 1);
-    launch("scanTiles").with(inOut(counts_), tiles).run(1, 1);
+        launch("resetSearch")
+            .with(out(histogram_), bins, out(masks_), runs, out(numbers_))
+            .run(std::max(bins, runs), 1);
+        if (!pruned)
+        {
+            Launch search(MAXIMA_PROGRAM, "searchMaxima", options + required);
+            search.with(in(table.device), chords, frame.width, frame.height);
+            require(search);
+            search.with(cut, sample, inOut(histogram_), out(masks_)).run(runs / sample, 1);
+            return;
+        }
+        pruned->count(cut, sample);
+        const int run = isProcessor() ? 16 : 1;
+        Launch search(MAXIMA_PROGRAM, "searchBlocks",
+                      options + required + format(" -D BLOCK=%d -D PIECES=%d", pruned->block, run));
+        search.with(in(table.device), in(pruned->needed()), frame.width, frame.height);
+        require(search);
+        search.with(cut, inOut(histogram_), out(masks_), inOut(numbers_))
+            .run((frame.rowLength(SIDE_TOP) / 8 + run - 1) / run,
+                 frame.firstPoint(SIDE_LEFT) / pruned->block, run > 1);
+    };
 
-    // One read, if there are no more than the last time.
-    int room = isFew ? most : std::min(most, room_);
-    for (;; room = room_)
+    const auto chooseLeast = [&](int rank)
     {
+        launch("chooseLeast").with(in(histogram_), bins, rank, inOut(numbers_)).run(1, 1);
+    };
+
+    if (size_ != image)
+        usual_ = -1;
+    size_ = image;
+    if (isFew && usual_ < 0)
+    {
+        // Half as many again, as the maxima of strong lines stand together.
+        searchAbove(wanted.threshold, SAMPLE);
+        chooseLeast((most + most / 2) / SAMPLE + 1);
+        int numbers[NUMBERS];
+        download(numbers_, sizeof(numbers), numbers);
+        usual_ = numbers[USUAL];
+    }
+    int cut = isFew ? std::max(usual_, wanted.threshold) : wanted.threshold;
+    // One read, if the last image's cut and room are enough.
+    int room = isFew ? most : std::min(most, room_);
+    for (;;)
+    {
+        searchAbove(cut, 1);
+        chooseLeast(most);
+        launch("countTiles")
+            .with(in(table.device), in(masks_), runs, in(numbers_), out(counts_), tiles)
+            .run(tiles, 1);
+        launch("scanTiles").with(inOut(counts_), tiles).run(1, 1);
         allocateOn(maxima_, (1 + (size_t)room) * THREE);
         launch("writeMaxima")
             .with(in(table.device), frame.width, frame.height, in(masks_), runs, in(numbers_),
@@ -112,15 +131,25 @@ bool DeviceMaxima::find(const EdgeMap& edges, const Plan& plan, const VoteTable&
         count(maxima_, room);
         found.resize(1 + (size_t)room);
         download(maxima_, found.size() * THREE, found.data());
-        const int there = found.front().votes;
-        if (there > room)
+        const Candidate head = found.front();
+        if (head.votes < most && cut > wanted.threshold)
         {
-            room_ = there;
+            cut = wanted.threshold;
             continue;
         }
+        if (head.votes > room)
+        {
+            room = room_ = head.votes;
+            continue;
+        }
+        // Of a cut that was too low nothing is to be learnt.
+        if (pruned && (!isFew || head.s <= cut))
+            pruned->learn(head.e);
+        if (isFew)
+            usual_ = std::max(0, head.s);
         found.erase(found.begin());
-        found.resize(there);
-        return true;
+        found.resize(head.votes);
+        return;
     }
 }
 

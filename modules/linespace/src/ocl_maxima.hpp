@@ -12,26 +12,44 @@
 namespace cv {
 namespace linespace {
 
+/** The frame's table where only blocks of it are counted, those that may have chords with more
+votes than a cut: as DevicePruning. */
+struct PrunedVotes
+{
+    int block; //!< border points at either end of a block of chords
+    //! Queues the count of chords above a cut, in one block of so many.
+    std::function<void(int, int)> count;
+    std::function<UMat()> needed;   //!< by blocks, whether they were counted
+    std::function<void(int)> learn; //!< is told how many were needed
+};
+
 //! Keeps its buffers between calls.
 class DeviceMaxima
 {
 public:
-    DeviceMaxima() : room_(1 << 12) {}
+    DeviceMaxima() : room_(1 << 12), usual_(-1) {}
 
     /** As Executor::findMaxima; finds them in the order (s, e).
-    @param count what is to be done with them on the device, with so many at most.
-    @return false if it is asked for those that the requirement of several directions or an interval
-    of angles leaves. */
-    bool find(const EdgeMap& edges, const Plan& plan, const VoteTable& table, const Wanted& wanted,
-              int radius, const std::function<void(const UMat&, int)>& count,
-              std::vector<Candidate>& found);
+    @param pruned null: all of the table is counted.
+    @param count what is to be done with them on the device, with so many at most. */
+    void find(const EdgeMap& edges, const Plan& plan, const VoteTable& table, const Wanted& wanted,
+              int radius, const PrunedVotes* pruned,
+              const std::function<void(const UMat&, int)>& count, std::vector<Candidate>& found);
+
+    //! Whether it can; not those that the requirement of several directions or an interval of
+    //! angles leaves.
+    static bool canFind(const Wanted& wanted) { return !wanted.accepts || wanted.leastVotesDecide; }
 
 private:
     UMat histogram_, numbers_, leastVotes_;
     UMat masks_;  //!< which chords of a run of the table are maxima
     UMat counts_; //!< of maxima of tiles of the table
     UMat maxima_;
-    int room_; //!< for so many, where all are asked for
+    int room_;  //!< for so many, where all are asked for
+    Size size_; //!< of the last image
+    //! What cut the last image should have begun with, -1: there was none. The next one of a video
+    //! hardly differs; what is found does not depend on it.
+    int usual_;
 };
 
 } // namespace linespace

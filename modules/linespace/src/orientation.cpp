@@ -100,6 +100,11 @@ int endCosine(int bin)
     return END_COSINE[bin];
 }
 
+int centreCosine(int bin)
+{
+    return CENTRE_COSINE[bin];
+}
+
 int directionBin(const Cell& cell, Chord chord)
 {
     const Point p = cell.borderPoint(chord.s), q = cell.borderPoint(chord.e);

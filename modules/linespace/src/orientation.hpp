@@ -25,6 +25,9 @@ int directionBin(int dx, int dy);
 //! round(2^15 cos(b pi / 16)), by which the lower end of bin b is known.
 int endCosine(int bin);
 
+//! round(2^14 cos((2 b + 1) pi / 32)), of the centre of bin b.
+int centreCosine(int bin);
+
 //! The bin of a chord, and its bit.
 int directionBin(const Cell& cell, Chord chord);
 inline ushort directionBit(const Cell& cell, Chord chord)
@@ -40,6 +43,7 @@ class DirectionRule
 public:
     explicit DirectionRule(double tolerance);
     ushort bitsOf(int gx, int gy) const;
+    int64 sineSquared() const { return sineSquared_; }
 
 private:
     int64 sineSquared_; //!< of the tolerance, times 2^28; large enough for all at 90 degrees

@@ -186,6 +186,16 @@ CrossingRun::CrossingRun(const Merge& merge, int s, int e)
     denominatorStep_ = 2. * acrossStep;
 }
 
+void outermostCrossings(const Merge& merge, int length, int s, int e, CrossingRun& least,
+                        CrossingRun& most)
+{
+    // A crossing moves one way with either end, so the outermost two chords tell.
+    const int lastS = merge.direction(s) > 0 ? length - 1 : 0,
+              lastE = merge.direction(e) > 0 ? length - 1 : 0;
+    least = CrossingRun(merge, s + length - 1 - lastS, e + length - 1 - lastE);
+    most = CrossingRun(merge, s + lastS, e + lastE);
+}
+
 int rowSegments(const Merge& merge, int s, Segment segments[MAX_SEGMENTS])
 {
     const Cell &parent = merge.parent, &child = merge.child;

@@ -204,6 +204,12 @@ private:
     double numerator_, numeratorStep_, denominator_, denominatorStep_;
 };
 
+/** The crossings of the chords between the two runs of `length` border points from s and from e on,
+on one side of one child each: those of (s + i, e + k length + j), i and j < length, lie between
+least.at(k length) and most.at(k length). */
+void outermostCrossings(const Merge& merge, int length, int s, int e, CrossingRun& least,
+                        CrossingRun& most);
+
 /** A run of chords (s, e) of one row of the parent, e = firstEnd .. firstEnd + count - 1, that all
 lie in one child (chordS + i is the i-th one's index there, chordE is unused), or that all cross the
 shared side: with m = crossing(s, e), the part at s is chord chordS + m strideS of child childS, and

@@ -72,8 +72,8 @@ public:
     }
 
     // Section 3.3: one merge.
-    void mergeCells(const Plan& plan, int level, const VoteTable& child, VoteTable& parent,
-                    int /*worthless*/) CV_OVERRIDE
+    void mergeCells(const Plan& plan, int level, const VoteTable& child,
+                    VoteTable& parent) CV_OVERRIDE
     {
         const Merge merge = plan.merge(level);
         const Cell& cell = merge.child;

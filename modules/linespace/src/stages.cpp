@@ -30,7 +30,7 @@ bool mergeNarrow(Executor& executor, const EdgeMap& edges, const Plan& plan, int
 } // namespace
 
 void countVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, bool exact, int level,
-                VoteTables& tables, StageTimes& times, int worthless)
+                VoteTables& tables, StageTimes& times)
 {
     VoteTable& first = tables.of(0);
     executor.allocate(plan.level(0), edges.depthFor(plan.level(0).maxVotes), first);
@@ -39,11 +39,11 @@ void countVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, bool
     else
         executor.firstCells(edges, plan, first);
     executor.endStage("level 0", times);
-    mergeVotes(executor, edges, plan, 0, level, tables, times, worthless);
+    mergeVotes(executor, edges, plan, 0, level, tables, times);
 }
 
 void mergeVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, int from, int to,
-                VoteTables& tables, StageTimes& times, int worthless)
+                VoteTables& tables, StageTimes& times)
 {
     for (int l = from + 1; l <= to; ++l)
     {
@@ -51,8 +51,7 @@ void mergeVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, int 
         VoteTable& parent = tables.of(l);
         executor.allocate(plan.level(l), edges.depthFor(plan.level(l).maxVotes), parent);
         if (!mergeNarrow(executor, edges, plan, l, child, parent))
-            executor.mergeCells(plan, l, child, parent,
-                                l == plan.levelCount() - 1 ? worthless : -1);
+            executor.mergeCells(plan, l, child, parent);
         executor.endStage(format("level %d", l), times);
     }
 }

@@ -87,7 +87,8 @@ struct EdgeMap
     //! CV_16UC1 of the same size, continuous: a pixel votes for the chords of the bins in its bits
     //! (orientation.hpp); empty: for all.
     Mat directions;
-    bool isEstimated; //!< the directions, from the edge pixels themselves
+    UMat directionsOnDevice; //!< the same where the source is; may be empty
+    bool isEstimated;        //!< the directions, from the edge pixels themselves
     //! The gradients as they were given, CV_16SC1 or CV_32FC1 of the same size, for the refinement;
     //! empty: none were.
     Mat dx, dy;
@@ -105,6 +106,9 @@ struct EdgeMap
 struct Candidate; // peaks.hpp
 struct Wanted;
 class EdgeBits; // edge_bits.hpp
+struct VoteTables;
+struct HoughGrid; // houghgrid.hpp
+struct GridLine;
 
 //! A device cannot do what is asked for; the CPU path can.
 struct DeviceFailure
@@ -133,6 +137,15 @@ public:
     //! Whether it works where the data of a UMat are: it reads EdgeMap::source, and writeTable() works.
     virtual bool takesUMats() const { return false; }
 
+    /** The directions of a map (directionBits) from gradients that are on the device, as its source is,
+    or from those that are estimated, if these are empty; they stay valid until the next call.
+    @return an empty array if the host is to find them, or what is wrong with the gradients. */
+    virtual UMat findDirections(const EdgeMap&, const Plan&, const UMat& /*dx*/, const UMat& /*dy*/,
+                                double /*tolerance*/)
+    {
+        return UMat();
+    }
+
     //! Makes room for a level's votes of so many bytes, where the stages want them.
     virtual void allocate(const Level& level, int bytesPerVote, VoteTable& table)
     {
@@ -150,10 +163,9 @@ public:
 
     /** Level `level` >= 1 from the level below: each chord is a copy of one child's, or the sum of
     a part in each child. `parent` is allocated for the level; its depth is not less than the
-    child's.
-    @param worthless votes that no one asks for: chords that have no more may get 0; -1: none may. */
-    virtual void mergeCells(const Plan& plan, int level, const VoteTable& child, VoteTable& parent,
-                            int worthless) = 0;
+    child's. */
+    virtual void mergeCells(const Plan& plan, int level, const VoteTable& child,
+                            VoteTable& parent) = 0;
 
     /** The same for a child and a parent of one byte per vote, where the parent's could need more.
     @return false if they do, or if it is not worth a try. */
@@ -180,6 +192,18 @@ public:
         return false;
     }
 
+    //! The level from whose table findMaximaPruned() goes on; -1: it is of no use.
+    virtual int levelForPruning(const Plan&, bool /*weighted*/) { return -1; }
+
+    /** As findMaxima, from the table of that level, which stays: most chords of those above are not
+    counted. */
+    virtual bool findMaximaPruned(const EdgeMap&, const Plan&, int /*base*/, VoteTables&,
+                                  const Wanted&, int /*radius*/, int /*ascentRadius*/,
+                                  std::vector<Candidate>& /*found*/, bool& /*areCounted*/)
+    {
+        return false;
+    }
+
     //! Whether readBits() works for a map, and spares the host what it is read for.
     virtual bool readsBits(const EdgeMap&) const { return false; }
     //! Reads the edge pixels of the map that was counted last, whatever their weights.
@@ -202,6 +226,15 @@ public:
     //! The same as exactVotes for some chords of the frame, one result each.
     virtual void rescore(const EdgeMap& edges, const Plan& plan, const std::vector<Chord>& chords,
                          std::vector<int>& votes) = 0;
+
+    /** The lines of the grid with more votes than the threshold, and at least one, that the drop-in
+    counts (grid_support.hpp), by angles and distances.
+    @return false if they are better counted by the host. */
+    virtual bool countGridLines(const EdgeMap&, const Plan&, const HoughGrid&, int /*threshold*/,
+                                std::vector<GridLine>& /*found*/)
+    {
+        return false;
+    }
 
     //! Ends a stage of votes. A device that only queues it takes a note of its own clock.
     virtual void endStage(const String& name, StageTimes& times) { times.end(name); }
@@ -238,14 +271,13 @@ private:
 
 /** Runs the cascade (or the exact method, for a plan of one level made for it) up to a level, whose
 votes are in tables.of(level) on return.
-@param worthless of the last merge of the plan, as Executor::mergeCells.
 @param times has a stage for each level on return. */
 void countVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, bool exact, int level,
-                VoteTables& tables, StageTimes& times, int worthless = -1);
+                VoteTables& tables, StageTimes& times);
 
 //! Goes on from level `from`, which was counted, to level `to`.
 void mergeVotes(Executor& executor, const EdgeMap& edges, const Plan& plan, int from, int to,
-                VoteTables& tables, StageTimes& times, int worthless = -1);
+                VoteTables& tables, StageTimes& times);
 
 /** Bytes that countVotes needs for its two tables, and everybody for copies of the edge map, but
 for EdgePlanes. */

@@ -40,11 +40,10 @@ struct TestEgl
         createContext =
             (void* (*)(void*, void*, void*, const int*))dlsym(library, "eglCreateContext");
         destroyContext = (unsigned (*)(void*, void*))dlsym(library, "eglDestroyContext");
-        makeCurrent =
-            (unsigned (*)(void*, void*, void*, void*))dlsym(library, "eglMakeCurrent");
+        makeCurrent = (unsigned (*)(void*, void*, void*, void*))dlsym(library, "eglMakeCurrent");
         getCurrentContext = (void* (*)())dlsym(library, "eglGetCurrentContext");
-        getPlatformDisplay = (void* (*)(unsigned, void*, const int*))getProcAddress(
-            "eglGetPlatformDisplayEXT");
+        getPlatformDisplay =
+            (void* (*)(unsigned, void*, const int*))getProcAddress("eglGetPlatformDisplayEXT");
         const unsigned surfaceless = 0x31DD; // EGL_PLATFORM_SURFACELESS_MESA
         display = getPlatformDisplay ? getPlatformDisplay(surfaceless, 0, 0) : 0;
         if (display && !initialize(display, 0, 0))

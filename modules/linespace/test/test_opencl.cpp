@@ -390,6 +390,54 @@ TEST_F(Linespace_OpenCl, the_strongest_candidates)
     }
 }
 
+/** One detector for images of all kinds: it begins with what it learnt from the last one, which may
+be a cut that is much too high, or that most of the table is needed. */
+TEST_F(Linespace_OpenCl, pruned_levels)
+{
+    const Size sizes[] = {Size(256, 256), Size(500, 260), Size(320, 512)};
+    const int radii[] = {0, 1, 4}, pools[] = {1, 300, 8192};
+    int pruned = 0;
+    for (int i = 0; i < 27; ++i)
+    {
+        const Size size = sizes[i % 3];
+        Ptr<LineSpaceDetector> detectors[2];
+        for (int k = 0; k < 2; ++k)
+        {
+            detectors[k] = detectorFor(k == 0 ? BACKEND_CPU : BACKEND_AUTO);
+            detectors[k]->setPruning(k == 1);
+            detectors[k]->setSuppressionRadius(radii[i / 3 % 3]);
+            detectors[k]->setPoolSize(pools[i / 9]);
+            detectors[k]->setMaxLines(i % 4 == 3 ? 0 : 1 + i);
+            detectors[k]->setThreshold(i % 4 == 1 ? 0 : i % 4 == 2 ? 12 : 50);
+            detectors[k]->setRefine(REFINE_NONE);
+        }
+        std::vector<Vec2d> lines;
+        const Mat images[] = {linesInNoise(size, 12, 0.02, i, lines),
+                              linesInNoise(size, 3, 0.001, i, lines),
+                              randomEdges(size, 0.05, i),
+                              randomEdges(size, 0.4, i),
+                              whiteEdges(size),
+                              onePixel(size, Point(7, size.height / 2)),
+                              Mat::zeros(size, CV_8UC1)};
+        for (int round = 0; round < 7; ++round)
+        {
+            const Mat& image = images[round * 4 % 7];
+            SCOPED_TRACE(format("%d, round %d", i, round));
+            Lines byCpu, byDevice;
+            detectors[0]->detect(image, byCpu);
+            detectors[1]->detect(image.getUMat(ACCESS_READ), byDevice);
+            ASSERT_EQ(byCpu, byDevice);
+            std::vector<String> stages;
+            std::vector<double> milliseconds;
+            detectors[1]->getStageTimes(stages, milliseconds);
+            const String last = format("level %d", detectors[1]->getLevelCount() - 1);
+            pruned +=
+                stages.size() > 1 && stages.end() == std::find(stages.begin(), stages.end(), last);
+        }
+    }
+    EXPECT_GT(pruned, 100);
+}
+
 TEST_F(Linespace_OpenCl, the_drop_in_of_a_umat)
 {
     const Mat1b dense = denseEdges();

@@ -33,7 +33,8 @@ enum Method
 enum Backend
 {
     //! The process-wide default, see setDefaultBackend; else OpenCL for a UMat where OpenCV uses a
-    //! device, else the CPU path.
+    //! device, else the CPU path. It stands in for a device that fails, with a warning; a detector
+    //! tries that again for images of another size, or after clear().
     BACKEND_AUTO = 0,
     BACKEND_REFERENCE = 1, //!< scalar code that follows the definition; slow
     BACKEND_CPU = 2,       //!< vectorised and threaded through cv::parallel_for_
@@ -127,23 +128,6 @@ public:
     */
     CV_WRAP virtual void detect(InputArray edges, InputArray dx, InputArray dy,
                                 OutputArray lines) = 0;
-
-    /** @brief Finds the lines of an edge map that is a texture of OpenGL.
-
-    For graphics applications: chords are counted and the candidates found in the caller's context,
-    where the texture is. Only a byte for each pixel and the candidates are read from there, as lines
-    are counted exactly and refined on the host. State of the context that is touched is restored:
-    the program, storage buffers and their bindings, texture unit 0 with its sampler, the active
-    unit. Errors of OpenGL that are pending are lost, and commands of the caller that write the
-    texture by image stores must be followed by a barrier for texture fetches.
-    @param texture name of a GL_TEXTURE_2D of internal format GL_R8 or GL_R8UI, whose base level is
-    the edge map: texels other than 0 are edge pixels, the first row is the upper one. A context with
-    OpenGL 4.3 or OpenGL ES 3.1, or later, must be current in this thread.
-    @param lines as for detect.
-
-    The back end must be #BACKEND_AUTO or #BACKEND_OPENGL.
-    */
-    virtual void detectTexture(unsigned int texture, OutputArray lines) = 0;
 
     /** @brief The table of votes LS(s, e) over all pairs of border points of the frame.
     @param edges as for detect.
@@ -290,6 +274,23 @@ public:
     Default 8192. */
     CV_WRAP virtual void setMemoryLimit(int mebibytes) = 0;
     CV_WRAP virtual int getMemoryLimit() const = 0;
+
+    /** @brief Finds the lines of an edge map that is a texture of OpenGL.
+
+    For graphics applications: chords are counted and the candidates found in the caller's context,
+    where the texture is. Only a byte for each pixel and the candidates are read from there, as lines
+    are counted exactly and refined on the host. State of the context that is touched is restored:
+    the program, storage buffers and their bindings, texture unit 0 with its sampler, the active
+    unit. Errors of OpenGL that are pending are lost, and commands of the caller that write the
+    texture by image stores must be followed by a barrier for texture fetches.
+    @param texture name of a GL_TEXTURE_2D of internal format GL_R8 or GL_R8UI, whose base level is
+    the edge map: texels other than 0 are edge pixels, the first row is the upper one. A context with
+    OpenGL 4.3 or OpenGL ES 3.1, or later, must be current in this thread.
+    @param lines as for detect.
+
+    The back end must be #BACKEND_AUTO or #BACKEND_OPENGL.
+    */
+    virtual void detectTexture(unsigned int texture, OutputArray lines) = 0;
 };
 
 /** @brief Finds lines in a binary image; takes what cv::HoughLines takes and means the same by it.

@@ -2,10 +2,11 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// Chords and their pixels, as in plan.hpp: what the shaders of this directory share. Each is compiled
-// after this text, as GLSL 4.30 or GLSL ES 3.10, which has no integers of 64 bits: products of
-// coordinates are below 2^31, which the host sees to. Votes are in storage blocks of 32-bit words, as
-// blocks of smaller numbers are an extension: of 8 or 16 bits each, several cells share a word.
+// Chords and their pixels, as in plan.hpp: what the shaders of this directory share. Each is
+// compiled after this text, as GLSL 4.30 or GLSL ES 3.10, which has no integers of 64 bits:
+// products of coordinates are below 2^31, which the host sees to. Votes are in storage blocks of
+// 32-bit words, as blocks of smaller numbers are an extension: of 8 or 16 bits each, several cells
+// share a word.
 //
 // GROUP: invocations of a work group. NUMBERS: numbers of a launch.
 
@@ -22,9 +23,9 @@ uint itemIndex()
     return groupIndex() * uint(GROUP) + gl_LocalInvocationIndex;
 }
 
-/* The floor of a quotient >= 0, exactly. Division of floating-point numbers may be wrong by 2.5 units
-of the last place, and the operands are rounded, so the estimate of a quotient below 2^20 is wrong by
-one at most. */
+/* The floor of a quotient >= 0, exactly. Division of floating-point numbers may be wrong by 2.5
+units of the last place, and the operands are rounded, so the estimate of a quotient below 2^20 is
+wrong by one at most. */
 int quotient(int numerator, int denominator)
 {
     int result = int(float(numerator) / float(denominator));
@@ -90,8 +91,8 @@ ivec2 chordAt(Frame cell, int i)
     return ivec2(first + row, firstPartner(cell, first) + i - start - row * length);
 }
 
-/* The pixels of a chord from p to q, as struct Raster, but for one: a pixel at an end on the right or
-bottom border is among them, though it is beyond the cell. */
+/* The pixels of a chord from p to q, as struct Raster, but for one: a pixel at an end on the right
+or bottom border is among them, though it is beyond the cell. */
 struct Raster
 {
     bool xMajor;

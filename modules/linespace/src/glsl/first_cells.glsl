@@ -2,10 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// Level 0 of the cascade: the votes of every chord of every cell by its raster. The votes of as many
-// cells as share a word are added at once: none overflows its bits, as the host has chosen them by
-// the bound of the level. LANES invocations share a chord, whose raster they follow together, and take
-// its words in turns.
+// Level 0 of the cascade: the votes of every chord of every cell by its raster. The votes of as
+// many cells as share a word are added at once: none overflows its bits, as the host has chosen
+// them by the bound of the level. LANES invocations share a chord, whose raster they follow
+// together, and take its words in turns.
 //
 // PARENT_BITS: of a vote, 8 or 16. ORIENTED: only pixels that vote for the bin of the chord count.
 

@@ -2,19 +2,20 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// The strongest local maxima of the table of the frame (doc/algorithm.md, section 4.1), as peaks.hpp
-// defines them: a search above a cut, a histogram of what it finds, which tells the votes of the last
-// one wanted, then count, scan and write. Histograms are counted by atomics, whose order does not
-// matter to them; everything else is in the order of the table, which is that of (s, e).
+// The strongest local maxima of the table of the frame (doc/algorithm.md, section 4.1), as
+// peaks.hpp defines them: a search above a cut, a histogram of what it finds, which tells the votes
+// of the last one wanted, then count, scan and write. Histograms are counted by atomics, whose
+// order does not matter to them; everything else is in the order of the table, which is that of (s,
+// e).
 //
-// One of RESET, SEARCH, RAISE_CUT, CHECK_CUT, CHOOSE_LEAST, COUNT, SCAN, WRITE: what it is compiled for.
-// RADIUS: of the neighbourhood on the ring of border points; -1: only the two chords parallel to it
-// on either side. The windows show the table, a word for each chord.
+// One of RESET, SEARCH, RAISE_CUT, CHECK_CUT, CHOOSE_LEAST, COUNT, SCAN, WRITE: what it is compiled
+// for. RADIUS: of the neighbourhood on the ring of border points; -1: only the two chords parallel
+// to it on either side. The windows show the table, a word for each chord.
 
 /* Chords of a tile: a bit each of GROUP words of 32. */
 #define TILE (GROUP * 32)
 
-#if defined(RESET) || defined(RAISE_CUT) || defined(CHECK_CUT) || defined(CHOOSE_LEAST) || defined(SCAN)
+#ifndef WINDOWS
 layout(std430, binding = 0) buffer State { int state[]; };
 #else
 layout(std430, binding = BLOCK_A) buffer State { int state[]; };
@@ -194,9 +195,9 @@ void clearHistogram()
         state[HISTOGRAM + bin] = 0;
 }
 
-/* One group. RAISE_CUT, after a search of a sample: the cut leaves its strongest numbers[5]. CHECK_CUT,
-after the search for numbers[5]: whether it must be done again from the lowest cut numbers[6], as too
-little was found. CHOOSE_LEAST: which of those found are the strongest numbers[5]. */
+/* One group. RAISE_CUT, after a search of a sample: the cut leaves its strongest numbers[5].
+CHECK_CUT, after the search for numbers[5]: whether it must be done again from the lowest cut
+numbers[6], as too little was found. CHOOSE_LEAST: which of those found are the strongest numbers[5]. */
 void main()
 {
     ivec2 last = votesOfRank(numbers[5]);
@@ -306,8 +307,8 @@ void main()
 #ifdef WRITE
 layout(std430, binding = BLOCK_C) writeonly buffer Maxima { int maxima[]; };
 
-/* Threes of numbers: how many maxima there are (and 0, 0), then (votes, s, e) of each, in the order of
-the table, as far as there is room for numbers[5]. Groups: tiles. */
+/* Threes of numbers: how many maxima there are (and 0, 0), then (votes, s, e) of each, in the order
+of the table, as far as there is room for numbers[5]. Groups: tiles. */
 void main()
 {
     int tile = int(groupIndex());

@@ -3,11 +3,11 @@
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
 // Pixels of the cells of level 0, side by side: that of pixel y cellWidth + x of a cell stands at
-// [pixel][cell], 0 beyond the image. An item writes a word: four votes of a byte, or with DIRECTIONS
-// the direction bits of two pixels.
+// [pixel][cell], 0 beyond the image. An item writes a word: four votes of a byte, or with
+// DIRECTIONS the direction bits of two pixels.
 
 layout(std430, binding = 0) readonly buffer Image { uint image[]; };
-layout(std430, binding = 1) readonly buffer Corners { ivec2 corners[]; }; // in the order of the table
+layout(std430, binding = 1) readonly buffer Corners { ivec2 corners[]; }; // of cells
 layout(std430, binding = 2) writeonly buffer Planes { uint planes[]; };
 
 #define COLUMNS numbers[0]

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// A texture as an edge map in a storage block: a byte for each pixel, row after row. An item writes a word,
-// four pixels of it. And how many vote, which was 0.
+// A texture as an edge map in a storage block: a byte for each pixel, row after row. An item writes
+// a word, four pixels of it. And how many vote, which was 0.
 //
 // INTEGER: GL_R8UI, else GL_R8. BINARY: 1 for what is not 0. MASKED: 0 where the mask is 0.
 

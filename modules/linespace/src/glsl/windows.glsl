@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// A table that is read at any place, of any size: it is bound to as many storage blocks as it takes, from
-// the first binding on. Compiled before a shader that has WINDOWS.
+// A table that is read at any place, of any size: it is bound to as many storage blocks as it
+// takes, from the first binding on. Compiled before a shader that has WINDOWS.
 //
 // WINDOWS: blocks, of 2^WINDOW_LOG words each but the last. BLOCK_A, BLOCK_B, BLOCK_C: the bindings
 // after them.

@@ -6,7 +6,7 @@
 // [chord][cell]. What chords and crossings are is the plan's, in tables: nothing here derives
 // geometry of its own.
 //
-// CHILD, PARENT: types of votes. CELLS: how many cells are taken at a time, a power of two up to 16.
+// CHILD, PARENT: types of votes. CELLS: how many cells are taken at a time, 1, 2, 4, 8 or 16.
 
 #if CELLS == 1
 #define VECTOR(type) type
@@ -22,11 +22,85 @@ boundary. (vloadn and vstoren, which ask for less, are single bytes on some devi
 
 #ifdef FIRST_CELLS
 
+#if CELLS == 16
+
+/* Eight pixels of a row of a cell, as votesAt; 0 beyond the image. */
+inline uchar8 votesOfPiece(__global const uchar* image, int step, int offset, int rows,
+                           int columns MASK_PARAMETERS, int x, int y)
+{
+    uchar8 votes = 0;
+    if (y < rows && x + 8 <= columns)
+    {
+        votes = vload8(0, image + offset + y * step + x);
+#ifdef BINARY
+        votes = convert_uchar8(votes != (uchar8)0) & (uchar8)1;
+#endif
+#ifdef MASKED
+        votes &= convert_uchar8(vload8(0, mask + maskOffset + y * maskStep + x) != (uchar8)0);
+#endif
+    }
+    else if (y < rows)
+    {
+        uchar some[8];
+        for (int i = 0; i < 8; ++i)
+            some[i] =
+                x + i < columns ? votesAt(image, step, offset MASK_ARGUMENTS, x + i, y) : (uchar)0;
+        votes = vload8(0, some);
+    }
+    return votes;
+}
+
+inline uchar16 zipped(uchar8 a, uchar8 b)
+{
+    return (uchar16)(a.s0, b.s0, a.s1, b.s1, a.s2, b.s2, a.s3, b.s3, a.s4, b.s4, a.s5, b.s5, a.s6,
+                     b.s6, a.s7, b.s7);
+}
+
 /* Votes of the pixels of cells, side by side: that of pixel y cellWidth + x of a cell stands at
-planes[pixel * cells + cell], 0 beyond the image. Global size: cells, pixels of a cell. */
+planes[pixel * cells + cell], 0 beyond the image. An item takes a piece of eight pixels of a row of
+16 cells and transposes it. Global size: cells / 16, pieces of a cell. */
 __kernel void gatherPixels(__global const uchar* image, int step, int offset, int rows,
-                           int columns MASK_PARAMETERS, __global const int* corners, int cells, int pixels, int cellWidth,
-                           __global uchar* planes)
+                           int columns MASK_PARAMETERS, __global const int* corners, int cells,
+                           int pixels, int cellWidth, __global uchar* planes)
+{
+    const int cell = get_global_id(0) * 16, pieces = (cellWidth + 7) / 8;
+    const int row = get_global_id(1) / pieces, first = (get_global_id(1) - row * pieces) * 8;
+    if (cell >= cells || row * cellWidth >= pixels)
+        return;
+    uchar8 votes[16];
+    for (int i = 0; i < 16; ++i)
+        votes[i] = votesOfPiece(image, step, offset, rows, columns MASK_ARGUMENTS,
+                                corners[2 * (cell + i)] + first, corners[2 * (cell + i) + 1] + row);
+    uchar16 a[8], b[8];
+    for (int i = 0; i < 8; ++i) /* of cells i, i + 8: pixel 0 of both, pixel 1 of both ... */
+        a[i] = zipped(votes[i], votes[i + 8]);
+    for (int i = 0; i < 4; ++i) /* of every fourth cell from i on: pixels 0 to 3, pixels 4 to 7 */
+    {
+        b[i] = zipped(a[i].lo, a[i + 4].lo);
+        b[i + 4] = zipped(a[i].hi, a[i + 4].hi);
+    }
+    for (int i = 0; i < 8; i += 4) /* of every other cell: two pixels each */
+        for (int k = 0; k < 2; ++k)
+        {
+            a[i + k] = zipped(b[i + k].lo, b[i + k + 2].lo);
+            a[i + k + 2] = zipped(b[i + k].hi, b[i + k + 2].hi);
+        }
+    __global uchar* out = planes + (size_t)(row * cellWidth + first) * cells + cell;
+    const int count = min(8, cellWidth - first);
+    for (int i = 0; i < count; ++i, out += cells)
+    {
+        const uchar16 even = a[i / 2 * 2], odd = a[i / 2 * 2 + 1];
+        *(__global uchar16*)out = i % 2 ? zipped(even.hi, odd.hi) : zipped(even.lo, odd.lo);
+    }
+}
+
+#else
+
+/* The same where fewer cells stand together, and for devices whose neighbouring work items had
+better write neighbouring bytes. Global size: cells, pixels of a cell. */
+__kernel void gatherPixels(__global const uchar* image, int step, int offset, int rows,
+                           int columns MASK_PARAMETERS, __global const int* corners, int cells,
+                           int pixels, int cellWidth, __global uchar* planes)
 {
     const int cell = get_global_id(0), pixel = get_global_id(1);
     if (cell >= cells || pixel >= pixels)
@@ -36,6 +110,8 @@ __kernel void gatherPixels(__global const uchar* image, int step, int offset, in
     planes[(size_t)pixel * cells + cell] =
         x < columns && y < rows ? votesAt(image, step, offset MASK_ARGUMENTS, x, y) : (uchar)0;
 }
+
+#endif
 
 __kernel void gatherDirections(__global const uchar* image, int step, int offset, int rows,
                                int columns, __global const int* corners, int cells, int pixels,
@@ -99,89 +175,14 @@ typedef struct
 {
     int firstEnd, count, isCrossing, childS, chordS, strideS, chordE, strideE, stepE;
     int numerator, numeratorStep, denominator, denominatorStep;
-    int pointS, pointE;                         /* s and firstEnd on the borders of their children */
-    int sharedS, directionS, sharedE, directionE; /* point 0 of the shared side there, and to point 1 */
 } Segment;
 
-#ifdef PRUNED
-/* The most votes of blocks of BLOCK x BLOCK chords (s, e) of each of two cells. Global size: blocks of
-the border, for e and for s. */
-__kernel void poolVotes(__global const CHILD* table, int width, int height, int blocks,
-                        __global int2* pools)
-{
-    const int blockE = get_global_id(0), blockS = get_global_id(1);
-    if (blockE >= blocks || blockS >= blocks)
-        return;
-    const Frame cell = {width, height};
-    const int points = 2 * (width + height), endE = min((blockE + 1) * BLOCK, points);
-    const int endS = min((blockS + 1) * BLOCK, points - height);
-    CONCAT(CHILD, 2) most = 0;
-    for (int s = blockS * BLOCK; s < endS; ++s)
-    {
-        const int firstPartner = sideOf(cell, s).y;
-        __global const CONCAT(CHILD, 2)* const row =
-            (__global const CONCAT(CHILD, 2)*)table + rowStart(cell, s);
-        for (int e = max(blockE * BLOCK, firstPartner); e < endE; ++e)
-            most = max(most, row[e - firstPartner]);
-    }
-    pools[blockS * blocks + blockE] = convert_int2(most);
-}
-
-/* At least the votes of the chords of a cell between points p .. q of one side and r .. t of another;
-INT_MAX if it takes too long. */
-inline int mostVotes(__global const int* pools, int blocks, int cell, int p, int q, int r, int t)
-{
-    const int4 range = (p < r ? (int4)(p, q, r, t) : (int4)(r, t, p, q)) / BLOCK;
-    if (range.y - range.x > 5 || range.w - range.z > 5)
-        return INT_MAX;
-    int most = 0;
-    for (int a = range.x; a <= range.y; ++a)
-        for (int b = range.z; b <= range.w; ++b)
-            most = max(most, pools[2 * (a * blocks + b) + cell]);
-    return most;
-}
-
-inline int crossingAt(__global const Segment* segment, int i)
-{
-    return quotient(segment->numerator + i * segment->numeratorStep,
-                    segment->denominator + i * segment->denominatorStep);
-}
-
-/* Whether none of the chords first .. first + count - 1 of a segment has more votes than the
-bound. */
-inline bool isWorthless(__global const int* pools, int blocks, __global const Segment* segment,
-                        int first, int count, int bound)
-{
-    const int s = segment->pointS, e = segment->pointE + first, lastE = e + count - 1;
-    if (!segment->isCrossing)
-        return mostVotes(pools, blocks, segment->childS, s, s, e, lastE) <= bound;
-    const int m = crossingAt(segment, first), n = crossingAt(segment, first + count - 1);
-    const int onS = segment->sharedS + segment->directionS * m;
-    const int endOnS = segment->sharedS + segment->directionS * n;
-    const int most =
-        mostVotes(pools, blocks, segment->childS, s, s, min(onS, endOnS), max(onS, endOnS));
-    if (most > bound)
-        return false;
-    const int onE = segment->sharedE + segment->directionE * m;
-    const int endOnE = segment->sharedE + segment->directionE * n;
-    const int rest = mostVotes(pools, blocks, 1 - segment->childS, e, lastE, min(onE, endOnE),
-                               max(onE, endOnE));
-    return rest <= bound - most;
-}
-#endif
-
-/* One level from the one below, RUN chords of a row at a time. PRUNED: to one cell; chords that the
-pools of the children tell not to have more votes than `worthless` may get 0. Row s has the segments from
+/* One level from the one below, RUN chords of a row at a time. Row s has the segments from
 segments[MAX_SEGMENTS * s] on; its first chord is rows[s].x, their number rows[s].y, that of its
 segments rows[s].z, its first end rows[s].w. Global size: runs of the longest row, rows. */
 __kernel void mergeCells(__global const Segment* segments, __global const int4* rows, int rowCount,
                          int cells, __global const CHILD* restrict child,
-                         __global PARENT* restrict parent
-#ifdef PRUNED
-                         ,
-                         __global const int* pools, int blocks, int worthless
-#endif
-)
+                         __global PARENT* restrict parent)
 {
     const int s = get_global_id(1);
     if (s >= rowCount)
@@ -196,25 +197,9 @@ __kernel void mergeCells(__global const Segment* segments, __global const int4* 
     for (int e = begin; e < end; segment += e >= segment->firstEnd + segment->count)
     {
         const int first = e - segment->firstEnd;
-        int count = min(end - e, segment->count - first);
+        const int count = min(end - e, segment->count - first);
         const int childS = segment->childS;
-#ifdef PRUNED
-        bool skips = isWorthless(pools, blocks, segment, first, count, worthless);
-        if (!skips && count > BLOCK)
-        {
-            count = BLOCK;
-            skips = isWorthless(pools, blocks, segment, first, count, worthless);
-        }
         e += count;
-        if (skips)
-        {
-            for (int i = 0; i < count; ++i, out += CELL_COUNT)
-                *out = 0;
-            continue;
-        }
-#else
-        e += count;
-#endif
         if (!segment->isCrossing)
         {
             __global const CHILD* own =

@@ -2,13 +2,14 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// The strongest local maxima of the table of the frame (doc/algorithm.md, section 4.1), as peaks.hpp
-// defines them: a search above a cut, a histogram of what it finds, which tells the votes of the
-// last one wanted, then count, scan and write. Everything is in the order of the table, which is
-// that of (s, e): no result depends on the order of work items.
+// The strongest local maxima of the table of the frame (doc/algorithm.md, section 4.1), as
+// peaks.hpp defines them: a search above a cut, a histogram of what it finds, which tells the votes
+// of the last one wanted, then count, scan and write. Everything is in the order of the table,
+// which is that of (s, e): no result depends on the order of work items.
 //
 // VOTES: the type of votes. RADIUS: of the neighbourhood on the ring of border points; -1: only the
-// two chords parallel to it on either side.
+// two chords parallel to it on either side. BLOCK: only chords of needed blocks of pruning.cl are
+// in the table; those of others have no more votes than the cut.
 
 enum
 {
@@ -19,32 +20,41 @@ enum
 /* Numbers of the search. */
 enum
 {
-    CUT,     /* what is looked for has more votes */
-    PENDING, /* whether the next search is needed */
     LEAST,   /* votes of the last maximum wanted */
     TIES,    /* how many with as few are wanted */
     FOUND,   /* how many are wanted and are there */
+    USUAL,   /* a cut that leaves a few more than are wanted, -1: there are not so many */
+    COUNTED, /* blocks that were searched */
     NUMBERS
 };
 
+#ifdef BLOCK
+#define NEEDED_PARAMETER , __global const uint *needed
+#define NEEDED_ARGUMENT , needed
+#else
+#define NEEDED_PARAMETER
+#define NEEDED_ARGUMENT
+#endif
+
 #define VOTES16 CONCAT(VOTES, 16)
 
-/* Global size: the larger of bins and 1. */
-__kernel void resetSearch(__global int* histogram, int bins, int cut, __global int* numbers)
+/* Global size: the larger of bins and runs. */
+__kernel void resetSearch(__global int* histogram, int bins, __global uint* masks, int runs,
+                          __global int* numbers)
 {
-    const int bin = get_global_id(0);
-    if (bin < bins)
-        histogram[bin] = 0;
-    if (bin == 0)
-    {
-        numbers[CUT] = cut;
-        numbers[PENDING] = 1;
-    }
+    const int item = get_global_id(0);
+    if (item < bins)
+        histogram[item] = 0;
+    if (item < runs)
+        masks[item] = 0;
+    if (item == 0)
+        numbers[COUNTED] = 0;
 }
 
 /* Whether the chord of two points, which may be beyond the ring's ends, comes before chord i of
 `votes` votes in the total order. */
-inline bool isStrongerAt(Frame frame, __global const VOTES* table, int p, int q, int i, int votes)
+inline bool isStrongerAt(Frame frame, __global const VOTES* table NEEDED_PARAMETER, int p, int q,
+                         int i, int votes)
 {
     const int points = 2 * (frame.width + frame.height);
     p = p < 0 ? p + points : p >= points ? p - points : p;
@@ -52,19 +62,25 @@ inline bool isStrongerAt(Frame frame, __global const VOTES* table, int p, int q,
     const int s = min(p, q), e = max(p, q), firstPartner = sideOf(frame, s).y;
     if (e < firstPartner)
         return false;
+#ifdef BLOCK
+    const Frame coarse = {frame.width / BLOCK, frame.height / BLOCK};
+    if (!needed[rowStart(coarse, s / BLOCK) + (e - firstPartner) / BLOCK])
+        return false;
+#endif
     const int other = rowStart(frame, s) + e - firstPartner, otherVotes = table[other];
     return otherVotes > votes || (otherVotes == votes && other < i);
 }
 
-inline bool isMaximum(Frame frame, __global const VOTES* table, int2 chord, int i, int votes)
+inline bool isMaximum(Frame frame, __global const VOTES* table NEEDED_PARAMETER, int2 chord, int i,
+                      int votes)
 {
 #if RADIUS < 0
-    return !isStrongerAt(frame, table, chord.x + 1, chord.y - 1, i, votes) &&
-           !isStrongerAt(frame, table, chord.x - 1, chord.y + 1, i, votes);
+    return !isStrongerAt(frame, table NEEDED_ARGUMENT, chord.x + 1, chord.y - 1, i, votes) &&
+           !isStrongerAt(frame, table NEEDED_ARGUMENT, chord.x - 1, chord.y + 1, i, votes);
 #else
     for (int k = 0; k <= RADIUS; k = k > 0 ? -k : 1 - k) /* the nearest rows first */
         for (int j = -RADIUS; j <= RADIUS; ++j)
-            if (isStrongerAt(frame, table, chord.x + k, chord.y + j, i, votes))
+            if (isStrongerAt(frame, table NEEDED_ARGUMENT, chord.x + k, chord.y + j, i, votes))
                 return false;
     return true;
 #endif
@@ -95,21 +111,91 @@ inline int visibleLength(Frame frame, int2 image, int2 chord)
 }
 #endif
 
-/* Marks the maxima of runs above the cut and counts them by their votes: of one run only of `sample`
-that follow one another, and not always the same, as rows of the table may be as long as a multiple
-of them. Global size: runs to search. */
-__kernel void searchMaxima(__global const VOTES* table, int chords, int width, int height,
 #ifdef REQUIRED
-                           __global const int* leastVotes, int imageWidth, int imageHeight,
+#define REQUIRED_PARAMETERS , __global const int *leastVotes, int imageWidth, int imageHeight
+#define REQUIRED_ARGUMENTS , leastVotes, imageWidth, imageHeight
+#else
+#define REQUIRED_PARAMETERS
+#define REQUIRED_ARGUMENTS
 #endif
-                           __global const int* numbers, int sample, __global int* histogram,
-                           __global uint* masks)
+
+/* Whether chord i is wanted: a maximum that has what its length requires. */
+inline bool isWanted(Frame frame, __global const VOTES* table NEEDED_PARAMETER REQUIRED_PARAMETERS,
+                     int2 chord, int i, int votes)
+{
+    if (!isMaximum(frame, table NEEDED_ARGUMENT, chord, i, votes))
+        return false;
+#ifdef REQUIRED
+    return votes >= leastVotes[visibleLength(frame, (int2)(imageWidth, imageHeight), chord)];
+#else
+    return true;
+#endif
+}
+
+#ifdef BLOCK
+
+#define VOTES8 CONCAT(VOTES, 8)
+
+/* Marks the maxima above the cut and counts them by their votes. An item takes PIECES times 8
+consecutive ends of BLOCK rows: a byte of a mask for each 8 chords of a row, as their first one's
+index is a multiple of 8. Global size: such of the longest row, rows of blocks. */
+__kernel void searchBlocks(__global const VOTES* table, __global const uint* needed, int width,
+                           int height REQUIRED_PARAMETERS, int cut, __global int* histogram,
+                           __global uchar* masks, __global int* numbers)
+{
+    const Frame frame = {width, height}, coarse = {width / BLOCK, height / BLOCK};
+    const int s = get_global_id(1), begin = get_global_id(0) * PIECES;
+    if (s >= 2 * coarse.width + coarse.height)
+        return;
+    const int firstPartner = sideOf(frame, s * BLOCK).y;
+    const int length = 2 * (width + height) - firstPartner;
+    __global const uint* const blocks = needed + rowStart(coarse, s);
+    const int start = rowStart(frame, s * BLOCK);
+    int counted = 0;
+    for (int k = begin; k < min(begin + PIECES, length / 8); ++k)
+    {
+        if (!blocks[8 * k / BLOCK])
+            continue;
+        counted += 8 * k % BLOCK == 0;
+        for (int row = 0; row < BLOCK; ++row)
+        {
+            const int first = start + row * length + 8 * k;
+            const VOTES8 run = *(__global const VOTES8*)(table + first);
+            if (!any(run > (VOTES)cut))
+                continue;
+            uint mask = 0;
+            for (int i = 0; i < 8; ++i)
+            {
+                const int votes = table[first + i];
+                if (votes <= cut)
+                    continue;
+                const int2 chord = (int2)(s * BLOCK + row, firstPartner + 8 * k + i);
+                if (!isWanted(frame, table NEEDED_ARGUMENT REQUIRED_ARGUMENTS, chord, first + i,
+                              votes))
+                    continue;
+                mask |= 1u << i;
+                atomic_inc(histogram + votes);
+            }
+            masks[first / 8] = mask;
+        }
+    }
+    if (counted)
+        atomic_add(numbers + COUNTED, counted);
+}
+
+#else
+
+/* Marks the maxima of runs above the cut and counts them by their votes: of one run only of
+`sample` that follow one another, and not always the same, as rows of the table may be as long as a
+multiple of them. Global size: runs to search. */
+__kernel void searchMaxima(__global const VOTES* table, int chords, int width,
+                           int height REQUIRED_PARAMETERS, int cut, int sample,
+                           __global int* histogram, __global uint* masks)
 {
     const uint item = get_global_id(0);
     const int run = item * sample + (item * 2654435769u >> 16) % sample, first = run * RUN;
-    if (first >= chords || !numbers[PENDING])
+    if (first >= chords)
         return;
-    const int cut = numbers[CUT];
     int most;
     if (first + RUN <= chords)
     {
@@ -134,21 +220,17 @@ __kernel void searchMaxima(__global const VOTES* table, int chords, int width, i
         for (int i = first; i < end; ++i)
         {
             const int votes = table[i];
-            if (votes <= cut)
+            if (votes <= cut ||
+                !isWanted(frame, table REQUIRED_ARGUMENTS, chordAt(frame, i), i, votes))
                 continue;
-            const int2 chord = chordAt(frame, i);
-            if (!isMaximum(frame, table, chord, i, votes))
-                continue;
-#ifdef REQUIRED
-            if (votes < leastVotes[visibleLength(frame, (int2)(imageWidth, imageHeight), chord)])
-                continue;
-#endif
             mask |= 1u << (i - first);
             atomic_inc(histogram + votes);
         }
     }
     masks[run] = mask;
 }
+
+#endif
 
 /* One group: the largest number of votes that `rank` maxima of the histogram have or exceed, -1 if
 fewer are there; and how many exceed it. Returns to all items. */
@@ -181,55 +263,19 @@ inline int2 votesOfRank(__global const int* histogram, int bins, int rank, __loc
     return *result;
 }
 
-inline void clearHistogram(__global int* histogram, int bins)
-{
-    for (int bin = get_local_id(0); bin < bins; bin += get_local_size(0))
-        histogram[bin] = 0;
-}
-
-/* After a search of a sample: the cut leaves its strongest `rank`. Global size: one group, as all
-below where nothing else is said. */
-__kernel void raiseCut(__global int* histogram, int bins, int rank, __global int* numbers)
-{
-    __local int sums[GROUP];
-    __local int2 result;
-    const int votes = votesOfRank(histogram, bins, rank, sums, &result).x;
-    barrier(CLK_GLOBAL_MEM_FENCE);
-    clearHistogram(histogram, bins);
-    if (get_local_id(0) == 0 && votes >= 0)
-        numbers[CUT] = votes - 1;
-}
-
-/* After the search: whether it must be done again from the lowest cut, as too little was found. */
-__kernel void checkCut(__global int* histogram, int bins, int most, int lowest,
-                       __global int* numbers)
-{
-    __local int sums[GROUP];
-    __local int2 result;
-    const int votes = votesOfRank(histogram, bins, most, sums, &result).x;
-    const bool isPending = votes < 0 && numbers[CUT] > lowest;
-    barrier(CLK_GLOBAL_MEM_FENCE);
-    if (isPending)
-        clearHistogram(histogram, bins);
-    if (get_local_id(0) == 0)
-    {
-        numbers[PENDING] = isPending;
-        if (isPending)
-            numbers[CUT] = lowest;
-    }
-}
-
-/* Which of those found are the strongest `most`. */
+/* Which of those found are the strongest `most`. Global size: one group, as of scanTiles. */
 __kernel void chooseLeast(__global const int* histogram, int bins, int most, __global int* numbers)
 {
     __local int sums[GROUP];
     __local int2 result;
     const int2 last = votesOfRank(histogram, bins, most, sums, &result);
+    const int2 usual = votesOfRank(histogram, bins, most + most / 16, sums, &result);
     if (get_local_id(0) == 0)
     {
         numbers[LEAST] = last.x;
         numbers[TIES] = last.x < 0 ? 0 : most - last.y;
         numbers[FOUND] = last.x < 0 ? last.y : most;
+        numbers[USUAL] = max(usual.x - 1, -1);
     }
 }
 
@@ -275,8 +321,8 @@ __kernel void scanTiles(__global int2* counts, int tiles)
     }
 }
 
-/* Threes of numbers: how many maxima there are (and 0, 0), then (votes, s, e) of each, in the order of
-the table, as far as there is room. Global size: tiles. */
+/* Threes of numbers: how many maxima there are, USUAL and COUNTED, then (votes, s, e) of each, in
+the order of the table, as far as there is room. Global size: tiles. */
 __kernel void writeMaxima(__global const VOTES* table, int width, int height,
                           __global const uint* masks, int runs, __global const int* numbers,
                           __global const int2* counts, int tiles, __global int* maxima, int room)
@@ -285,7 +331,7 @@ __kernel void writeMaxima(__global const VOTES* table, int width, int height,
     if (tile >= tiles)
         return;
     if (tile == 0)
-        vstore3((int3)(numbers[FOUND], 0, 0), 0, maxima);
+        vstore3((int3)(numbers[FOUND], numbers[USUAL], numbers[COUNTED]), 0, maxima);
     int2 before = counts[tile];
     const int end = min(runs, (tile + 1) * TILE);
     const Frame frame = {width, height};
