@@ -2,9 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// Calls one function some times with BACKEND_OPENGL, for test_launches.py, which reads what the driver
-// says about it:
-//   linespace_gl_calls compute|detect|recount|exact|oriented|weighted|houghlines|texture|significant
+// Calls one function some times with BACKEND_OPENGL, for test_launches.py, which reads what the
+// driver says about it:
+//   linespace_gl_calls
+// compute|detect|recount|exact|oriented|weighted|houghlines|texture|significant
 //     IMAGE CALLS
 
 #include "test_gl.hpp"

@@ -24,7 +24,7 @@ PIXELS = 640 * 480
 SEARCH = 10      # launches: reset, three searches, two cuts, choose, count, scan, write
 SHORT_SEARCH = 6  # of a table so small that no sample is taken
 BITS = 1         # a launch packs the pixels
-ASCENT = 14      # launches: clear, four rounds of list, count, step, and those that climb on
+ASCENT = 13      # launches: clear, four rounds of list, count, step
 
 
 def launches_of_merge(width, height, horizontal):

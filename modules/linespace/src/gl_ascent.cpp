@@ -21,8 +21,10 @@ enum
 {
     SQUARE = 8
 };
-//! After so many steps that all take together those that are left go on alone.
+//! Steps of a call.
 const int ROUNDS = 4;
+//! Lists of rounds: the first one of a call that goes on has the number 1.
+const int LISTS = ROUNDS + 1;
 
 Cell runsOf(const Cell& frame)
 {
@@ -65,7 +67,8 @@ void GlAscent::pack(GlDevice& device)
     isPacked_ = true;
 }
 
-bool GlAscent::count(GlDevice& device, int radius, const GlBuffer& candidates, int room)
+bool GlAscent::count(GlDevice& device, int radius, const GlBuffer& candidates, int room,
+                     bool goesOn)
 {
     const Cell& frame = pixels_.frame;
     const GlLimits& limits = device.limits();
@@ -88,7 +91,7 @@ bool GlAscent::count(GlDevice& device, int radius, const GlBuffer& candidates, i
     };
     const double placeCount = (double)runsOf(frame).chordCount() * SQUARE * SQUARE,
                  most = std::min(placeCount, (double)room * (2 * radius + 1) * (2 * radius + 1)),
-                 listBytes = (ROUNDS + most) * sizeof(int),
+                 listBytes = (LISTS + most) * sizeof(int),
                  windows = std::ceil(placeCount * sizeof(uint) / limits.blockBytes);
     if (radius > 0 && (placeCount > INT_MAX || listBytes > limits.blockBytes ||
                        windows + (pixels_.directions ? 4 : 3) > limits.blocks))
@@ -98,7 +101,7 @@ bool GlAscent::count(GlDevice& device, int radius, const GlBuffer& candidates, i
     const auto launch = [&](const char* step, const std::string& options)
     {
         return GlLaunch(device, GL_ASCENT,
-                        define(step) + define("RADIUS", radius) + define("ROUNDS", ROUNDS) +
+                        define(step) + define("RADIUS", radius) + define("ROUNDS", LISTS) +
                             options);
     };
     if (radius == 0)
@@ -119,7 +122,7 @@ bool GlAscent::count(GlDevice& device, int radius, const GlBuffer& candidates, i
         .block(marks_)
         .block(listed_)
         .runItems(pixels_.numbers({room, 0, 0, marks}), marks);
-    for (int round = 0; round < ROUNDS; ++round)
+    for (int round = goesOn; round < ROUNDS + goesOn; ++round)
     {
         launch("LIST_NEIGHBOURS", std::string())
             .block(candidates)
@@ -139,10 +142,6 @@ bool GlAscent::count(GlDevice& device, int radius, const GlBuffer& candidates, i
             .block(candidates)
             .runItems(pixels_.numbers({room, round}), room);
     }
-    GlLaunch alone = launch("CLIMB_ON", windowed + mapOptions((int)windows + 2));
-    alone.windows(votes_, bytes).block(candidates).block(marks_);
-    giveMap(alone, (int)windows + 2);
-    alone.runItems(pixels_.numbers({room}), room);
     return true;
 }
 

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// What reads single edge pixels in OpenGL, after the votes: candidates that climb to maxima of the exact
-// votes, what ascent.hpp does on the host, and the pixels as bits, for the refinement there.
+// What reads single edge pixels in OpenGL, after the votes: candidates that climb to maxima of the
+// exact votes, what ascent.hpp does on the host, and the pixels as bits, for the refinement there.
 
 #ifndef OPENCV_LINESPACE_GL_ASCENT_HPP
 #define OPENCV_LINESPACE_GL_ASCENT_HPP
@@ -31,9 +31,11 @@ public:
     MAX_ASCENT_RADIUS, several maybe to the same; 0: they stay where they are.
     @param candidates as GlMaxima writes them.
     @param room how many there may be.
+    @param goesOn whether it was called for them before, and some have negative votes: these climb for
+    more steps than a call takes.
     @return false if the exact votes of the frame, or a list of chords, are more than the device's
     blocks hold. */
-    bool count(GlDevice& device, int radius, const GlBuffer& candidates, int room);
+    bool count(GlDevice& device, int radius, const GlBuffer& candidates, int room, bool goesOn);
 
     //! Reads the pixels, whatever their weights.
     void readBits(GlDevice& device, EdgeBits& bits);

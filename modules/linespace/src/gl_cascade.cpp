@@ -186,13 +186,13 @@ public:
                     std::vector<Candidate>& found, bool& areCounted) CV_OVERRIDE
     {
         bool isDone = false;
-        const auto count = [&](const GlBuffer& candidates, int room)
+        const auto count = [&](const GlBuffer& candidates, int room, bool goesOn)
         {
             // Now, as the wait for the candidates is one for the bits as well.
             if (readsBits(edges))
                 ascent_.pack(*device_);
             if (ascentRadius >= 0)
-                isDone = ascent_.count(*device_, ascentRadius, candidates, room);
+                isDone = ascent_.count(*device_, ascentRadius, candidates, room, goesOn);
         };
         if (!maxima_.find(*device_, edges, plan, bufferOf(table), wanted, radius, count, found))
             return false;

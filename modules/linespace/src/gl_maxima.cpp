@@ -42,7 +42,7 @@ void GlMaxima::release()
 
 bool GlMaxima::find(GlDevice& device, const EdgeMap& edges, const Plan& plan, const GlBuffer& table,
                     const Wanted& wanted, int radius,
-                    const std::function<void(const GlBuffer&, int)>& count,
+                    const std::function<void(const GlBuffer&, int, bool)>& count,
                     std::vector<Candidate>& found)
 {
     const Cell& frame = plan.frame();
@@ -127,7 +127,7 @@ bool GlMaxima::find(GlDevice& device, const EdgeMap& edges, const Plan& plan, co
             .block(masks_)
             .block(maxima_)
             .run(numbers(room, 0, 0), tiles);
-        count(maxima_, room);
+        count(maxima_, room, false);
         device.finish();
         Candidate head;
         device.read(maxima_, THREE, &head);
@@ -139,6 +139,16 @@ bool GlMaxima::find(GlDevice& device, const EdgeMap& edges, const Plan& plan, co
         }
         found.resize(1 + (size_t)there);
         device.read(maxima_, found.size() * THREE, found.data());
+        const auto climbs = [](const Candidate& candidate)
+        {
+            return candidate.votes < 0;
+        };
+        while (std::any_of(found.begin(), found.end(), climbs))
+        {
+            count(maxima_, room, true);
+            device.finish();
+            device.read(maxima_, found.size() * THREE, found.data());
+        }
         found.erase(found.begin());
         return true;
     }

@@ -23,12 +23,13 @@ public:
 
     /** As Executor::findMaxima; finds them in the order (s, e).
     @param table a word for each chord.
-    @param count queues what is done with the candidates, buffer and room, before they are read.
+    @param count queues what is done with the candidates, buffer and room, before they are read; once
+    more, with true, as long as some of them have negative votes.
     @return false if it is asked for those that the requirement of several directions or an interval
     of angles leaves, or if the table or the maxima are too large for the device's blocks. */
     bool find(GlDevice& device, const EdgeMap& edges, const Plan& plan, const GlBuffer& table,
               const Wanted& wanted, int radius,
-              const std::function<void(const GlBuffer&, int)>& count,
+              const std::function<void(const GlBuffer&, int, bool)>& count,
               std::vector<Candidate>& found);
     void release();
 

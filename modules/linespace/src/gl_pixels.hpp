@@ -2,7 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// An edge map in OpenGL for the shaders that are compiled after pixels.glsl: what it takes to read it.
+// An edge map in OpenGL for the shaders that are compiled after pixels.glsl: what it takes to read
+// it.
 
 #ifndef OPENCV_LINESPACE_GL_PIXELS_HPP
 #define OPENCV_LINESPACE_GL_PIXELS_HPP

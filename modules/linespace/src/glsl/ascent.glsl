@@ -6,16 +6,19 @@
 // ascent.hpp defines it.
 //
 // Candidates are threes of numbers, (votes, s, e), after a first one whose first number is how many
-// there are; those that still climb have CLIMBING votes. In a round all climb one step: the chords of
-// their neighbourhoods that were not counted yet are marked and listed, each listed chord is counted
-// once, each candidate moves to the strongest chord around it. A chord has its place among those of
-// squares of 8 x 8 neighbours (vote_squares.hpp), one square after another, so that a neighbourhood is
-// read at few places. The order of a list is any, as marks are set and lists grow by atomic operations;
-// what is counted does not depend on it, and everything else is written by one item.
+// there are; those that still climb have CLIMBING votes. In a round all climb one step: the chords
+// of their neighbourhoods that were not counted yet are marked and listed, each listed chord is
+// counted once, each candidate moves to the strongest chord around it. Who asks goes on with those
+// that climb for more steps than there are rounds: no launch is longer than a step (llvmpipe ends
+// loops of a shader after 65536 turns, other drivers after a time). A chord has its place among
+// those of squares of 8 x 8 neighbours (vote_squares.hpp), one square after another, so that a
+// neighbourhood is read at few places. The order of a list is any, as marks are set and lists grow
+// by atomic operations; what is counted does not depend on it, and everything else is written by
+// one item.
 //
-// One of CLEAR_MARKS, LIST_NEIGHBOURS, COUNT_LISTED, TAKE_STEPS, CLIMB_ON, COUNT_CANDIDATES: what it is
-// compiled for. RADIUS: of the neighbourhood. ROUNDS: numbers that a list begins with, how many chords
-// each round has listed. The windows show the votes of all places.
+// One of CLEAR_MARKS, LIST_NEIGHBOURS, COUNT_LISTED, TAKE_STEPS, COUNT_CANDIDATES: what it is
+// compiled for. RADIUS: of the neighbourhood. ROUNDS: numbers that a list begins with, how many
+// chords each round has listed. The windows show the votes of all places.
 
 #define SQUARE 8
 #define CLIMBING -1
@@ -29,7 +32,7 @@
 #if defined(LIST_NEIGHBOURS) || defined(COUNT_CANDIDATES)
 layout(std430, binding = 0) buffer Candidates { int candidates[]; };
 #endif
-#if defined(TAKE_STEPS) || defined(CLIMB_ON)
+#ifdef TAKE_STEPS
 layout(std430, binding = BLOCK_A) buffer Candidates { int candidates[]; };
 #endif
 
@@ -83,7 +86,7 @@ void main()
 }
 #endif
 
-#if defined(LIST_NEIGHBOURS) || defined(TAKE_STEPS) || defined(CLIMB_ON)
+#if defined(LIST_NEIGHBOURS) || defined(TAKE_STEPS)
 
 /* A point's place among the runs: its run and its number there. */
 ivec2 placeInRuns(Frame frame, Frame runs, int p)
@@ -165,7 +168,7 @@ void main()
 }
 #endif
 
-#if defined(TAKE_STEPS) || defined(CLIMB_ON)
+#ifdef TAKE_STEPS
 
 /* The total order, as isStronger in peaks.hpp: (votes, s, e). */
 bool isStronger(ivec3 a, ivec3 b)
@@ -173,40 +176,24 @@ bool isStronger(ivec3 a, ivec3 b)
     return a.x != b.x ? a.x > b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-#ifdef CLIMB_ON
-layout(std430, binding = BLOCK_B) readonly buffer Marks { uint marks[]; };
-#endif
-
-/* Counted by a round, or now. */
-int votesOf(Frame frame, ivec2 chord)
-{
-    int place = placeOf(frame, runsOf(frame), chord);
-#ifdef CLIMB_ON
-    if ((marks[place >> 5] >> (place & 31) & 1u) == 0u)
-        return int(votesOfChord(frame, chord));
-#endif
-    return int(tableAt(uint(place)));
-}
-
 /* The strongest chord of a neighbourhood: votes, s and e. */
 ivec3 strongestAround(Frame frame, ivec2 chord)
 {
+    Frame runs = runsOf(frame);
     ivec3 best = ivec3(-1, 0, 0);
     for (int j = 0; j < NEIGHBOURS; ++j)
     {
         ivec2 neighbour = neighbourOf(frame, chord, j);
         if (neighbour.y == 0)
             continue;
-        ivec3 other = ivec3(votesOf(frame, neighbour), neighbour);
+        ivec3 other = ivec3(int(tableAt(uint(placeOf(frame, runs, neighbour)))), neighbour);
         if (isStronger(other, best))
             best = other;
     }
     return best;
 }
 
-/* Each candidate that climbs moves to the strongest chord around it, or is there. With CLIMB_ON those
-that climb for more steps than there are rounds go on alone, and count what was not counted for
-others. */
+/* Each candidate that climbs moves to the strongest chord around it, or is there. */
 void main()
 {
     int i = int(itemIndex());
@@ -218,13 +205,6 @@ void main()
     Frame frame = Frame(WIDTH, HEIGHT);
     ivec2 chord = ivec2(candidates[at + 1], candidates[at + 2]);
     ivec3 best = strongestAround(frame, chord);
-#ifdef CLIMB_ON
-    while (best.yz != chord)
-    {
-        chord = best.yz;
-        best = strongestAround(frame, chord);
-    }
-#endif
     if (best.yz == chord)
         candidates[at] = best.x;
     candidates[at + 1] = best.y;

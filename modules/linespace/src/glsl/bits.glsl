@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// Packs the pixels of a map, whatever their weights, into bits as EdgeBits has them. An item writes a
-// word.
+// Packs the pixels of a map, whatever their weights, into bits as EdgeBits has them. An item writes
+// a word.
 
 layout(std430, binding = 0) writeonly buffer Bits { uint bits[]; };
 

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// The votes of chords of the frame by their rasters: of all of them (METHOD_EXACT), an item each, or
-// with LIST of those of a list.
+// The votes of chords of the frame by their rasters: of all of them (METHOD_EXACT), an item each,
+// or with LIST of those of a list.
 
 layout(std430, binding = 0) writeonly buffer Votes { uint votes[]; };
 #ifdef LIST

@@ -2,12 +2,14 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// The pixels of the edge map and the exact votes of a chord, for the shaders that read them, which are
-// compiled after this text and have these numbers first.
+// The pixels of the edge map and the exact votes of a chord, for the shaders that read them, which
+// are compiled after this text and have these numbers first.
 //
-// MAP_BLOCK: the binding of the map, if the shader reads it. DIRECTIONS_BLOCK: that of its directions.
-// BITS: the map has no weights and no directions, and its pixels are bits (edge_bits.hpp); else they are
-// bytes. MARGIN: EdgeBits::MARGIN. ORIENTED: only pixels that vote for the bin of the chord count.
+// MAP_BLOCK: the binding of the map, if the shader reads it. DIRECTIONS_BLOCK: that of its
+// directions.
+// BITS: the map has no weights and no directions, and its pixels are bits (edge_bits.hpp); else
+// they are bytes. MARGIN: EdgeBits::MARGIN. ORIENTED: only pixels that vote for the bin of the
+// chord count.
 
 #define WIDTH numbers[0] /* of the frame */
 #define HEIGHT numbers[1]
