@@ -18,7 +18,8 @@
 namespace opencv_test {
 namespace {
 
-//! What dispatched files are compiled for beside the baseline, ascending (linespace_dispatch.cmake).
+//! What dispatched files are compiled for beside the baseline, ascending
+//! (linespace_dispatch.cmake).
 const int DISPATCHED[] = {CV_CPU_AVX2, CV_CPU_AVX512_SKX};
 
 std::string environment(const char* name)

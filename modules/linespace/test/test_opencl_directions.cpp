@@ -19,16 +19,6 @@ using namespace generators;
 
 typedef std::vector<Vec3f> Lines;
 
-class Linespace_OpenClDirections : public testing::Test
-{
-protected:
-    void SetUp() CV_OVERRIDE
-    {
-        if (!isCompared(BACKEND_OPENCL))
-            throw SkipTestException("no OpenCL device");
-    }
-};
-
 //! Nearly every chord of a small image becomes a line, so each bit of each pixel shows.
 Ptr<LineSpaceDetector> detectorOfChords(int backend, double tolerance)
 {
@@ -94,8 +84,9 @@ UMat partOnDevice(const Mat& image, int left, int top)
     return onDevice(Rect(left, top, image.cols, image.rows));
 }
 
-TEST_F(Linespace_OpenClDirections, gradients_of_all_kinds)
+TEST(Linespace_OpenClDirections, gradients_of_all_kinds)
 {
+    requireBackend(BACKEND_OPENCL);
     const double tolerances[] = {22.5, 3, 90, 47};
     RNG random(3);
     size_t found = 0;
@@ -133,8 +124,9 @@ TEST_F(Linespace_OpenClDirections, gradients_of_all_kinds)
 }
 
 //! Lines and deviations by the gradients, also by the statistical threshold, which counts bits.
-TEST_F(Linespace_OpenClDirections, photographs)
+TEST(Linespace_OpenClDirections, photographs)
 {
+    requireBackend(BACKEND_OPENCL);
     const Mat1b image = photographEdges("building.jpg", 300);
     const int types[] = {CV_16S, CV_32F};
     for (int type : types)
@@ -165,8 +157,9 @@ TEST_F(Linespace_OpenClDirections, photographs)
 }
 
 //! What is wrong with gradients is told in the same words, wherever they are.
-TEST_F(Linespace_OpenClDirections, bad_gradients)
+TEST(Linespace_OpenClDirections, bad_gradients)
 {
+    requireBackend(BACKEND_OPENCL);
     const Mat1b edges = randomEdges(Size(40, 30), 0.1, 1);
     const float values[] = {std::numeric_limits<float>::quiet_NaN(),
                             std::numeric_limits<float>::infinity(),

@@ -68,20 +68,11 @@ UMat partOnDevice(const Mat1b& edges, int left, int top)
     return onDevice(Rect(left, top, edges.cols, edges.rows));
 }
 
-class Linespace_OpenClHoughLines : public testing::Test
-{
-protected:
-    void SetUp() CV_OVERRIDE
-    {
-        if (!isCompared(BACKEND_OPENCL))
-            throw SkipTestException("no OpenCL device");
-    }
-};
-
 const Arguments plain = {1, CV_PI / 180, 30, 0, CV_PI, false};
 
-TEST_F(Linespace_OpenClHoughLines, all_small_sizes)
+TEST(Linespace_OpenClHoughLines, all_small_sizes)
 {
+    requireBackend(BACKEND_OPENCL);
     int found = 0;
     for (int height = 1; height <= 20; ++height)
         for (int width = 1; width <= 20; ++width)
@@ -104,8 +95,9 @@ TEST_F(Linespace_OpenClHoughLines, all_small_sizes)
 }
 
 //! Sparse maps and dense ones, few of whose lines the table of the frame supports, or most.
-TEST_F(Linespace_OpenClHoughLines, random_sizes_densities_and_arguments)
+TEST(Linespace_OpenClHoughLines, random_sizes_densities_and_arguments)
 {
+    requireBackend(BACKEND_OPENCL);
     const double rhos[] = {0.5, 1, 2, 3.3}, steps[] = {CV_PI / 180, CV_PI / 900, 0.1, 1};
     const double ranges[][2] = {{0, CV_PI}, {-0.3, 0.4}, {1, 6}, {-2, -1}};
     RNG random(11);
@@ -138,8 +130,9 @@ TEST_F(Linespace_OpenClHoughLines, random_sizes_densities_and_arguments)
 
 //! Few heavy pixels on light ones: the chords next to many a line miss those in its band, so that
 //! it shows in the list which chords were looked at.
-TEST_F(Linespace_OpenClHoughLines, lines_that_the_table_rules_out)
+TEST(Linespace_OpenClHoughLines, lines_that_the_table_rules_out)
 {
+    requireBackend(BACKEND_OPENCL);
     const double rhos[] = {0.5, 1, 2, 3.3};
     const Size sizes[] = {Size(300, 280), Size(420, 220), Size(200, 410)};
     for (int i = 0; i < 12; ++i)
@@ -155,8 +148,9 @@ TEST_F(Linespace_OpenClHoughLines, lines_that_the_table_rules_out)
 }
 
 //! Few lines of an angle are supported, and are walked along one by one.
-TEST_F(Linespace_OpenClHoughLines, lines_that_stand_out)
+TEST(Linespace_OpenClHoughLines, lines_that_stand_out)
 {
+    requireBackend(BACKEND_OPENCL);
     for (int i = 0; i < 12; ++i)
     {
         std::vector<Vec2d> drawn;
@@ -171,8 +165,9 @@ TEST_F(Linespace_OpenClHoughLines, lines_that_stand_out)
     }
 }
 
-TEST_F(Linespace_OpenClHoughLines, photographs)
+TEST(Linespace_OpenClHoughLines, photographs)
 {
+    requireBackend(BACKEND_OPENCL);
     const char* const names[] = {"building.jpg", "sudoku.png"};
     for (const char* name : names)
     {
@@ -191,8 +186,9 @@ TEST_F(Linespace_OpenClHoughLines, photographs)
 }
 
 //! Many more lines than there is room for at first, then few, then many.
-TEST_F(Linespace_OpenClHoughLines, any_number_of_lines)
+TEST(Linespace_OpenClHoughLines, any_number_of_lines)
 {
+    requireBackend(BACKEND_OPENCL);
     const Mat1b edges = randomEdges(Size(160, 120), 0.1, 2);
     const UMat onDevice = partOnDevice(edges, 1, 1);
     const int thresholds[] = {0, 25, -5, INT_MAX, 3, INT_MIN};
@@ -207,8 +203,9 @@ TEST_F(Linespace_OpenClHoughLines, any_number_of_lines)
 }
 
 //! Positions beyond 2^22, where single precision has halves only.
-TEST_F(Linespace_OpenClHoughLines, the_finest_distances)
+TEST(Linespace_OpenClHoughLines, the_finest_distances)
 {
+    requireBackend(BACKEND_OPENCL);
     const Mat1b edges = randomEdges(Size(6, 5), 0.8, 3);
     const Arguments arguments = {1.2e-6, 1, 0, 0.3, 2.5, false};
     const Lines expected = houghLines(edges, arguments);
@@ -216,8 +213,9 @@ TEST_F(Linespace_OpenClHoughLines, the_finest_distances)
     EXPECT_EQ(expected, byDevice(partOnDevice(edges, 2, 1), arguments));
 }
 
-TEST_F(Linespace_OpenClHoughLines, ten_times_over)
+TEST(Linespace_OpenClHoughLines, ten_times_over)
 {
+    requireBackend(BACKEND_OPENCL);
     for (double density = 0.1; density < 1; density += 0.5) // by all lines, and by the table
     {
         const Mat1b edges = randomEdges(Size(320, 240), density, 4);
@@ -232,8 +230,9 @@ TEST_F(Linespace_OpenClHoughLines, ten_times_over)
 }
 
 //! What is kept between calls serves whatever thread comes next, and several at a time.
-TEST_F(Linespace_OpenClHoughLines, threads)
+TEST(Linespace_OpenClHoughLines, threads)
 {
+    requireBackend(BACKEND_OPENCL);
     const DefaultBackend device(BACKEND_OPENCL);
     const double densities[] = {0.1, 0.6};
     Mat1b edges[2];
@@ -268,8 +267,9 @@ TEST_F(Linespace_OpenClHoughLines, threads)
 }
 
 //! Buffers of one context are of no use in another one.
-TEST_F(Linespace_OpenClHoughLines, contexts)
+TEST(Linespace_OpenClHoughLines, contexts)
 {
+    requireBackend(BACKEND_OPENCL);
     const Mat1b edges = randomEdges(Size(200, 150), 0.1, 6);
     const Lines expected = houghLines(edges, plain);
     const ocl::OpenCLExecutionContext before = ocl::OpenCLExecutionContext::getCurrent();

@@ -27,8 +27,6 @@ class Linespace_OpenGl : public testing::Test
 protected:
     Linespace_OpenGl() : edges(randomEdges(Size(90, 70), 0.2, 1)), expected()
     {
-        if (!isCompared(BACKEND_OPENGL))
-            throw SkipTestException("no OpenGL");
         detectorFor(BACKEND_CPU)->detect(edges, expected);
     }
     static Ptr<LineSpaceDetector> detectorFor(int backend)
@@ -50,6 +48,7 @@ protected:
 
 TEST_F(Linespace_OpenGl, random_sizes_and_densities)
 {
+    requireBackend(BACKEND_OPENGL);
     RNG random(5);
     for (int i = 0; i < 200; ++i)
     {
@@ -81,6 +80,7 @@ TEST_F(Linespace_OpenGl, random_sizes_and_densities)
 //! exact method, candidates that do not climb, and other suppressions.
 TEST_F(Linespace_OpenGl, the_strongest_candidates)
 {
+    requireBackend(BACKEND_OPENGL);
     const int radii[] = {0, 1, 4, 6};
     for (int i = 0; i < 160; ++i)
     {
@@ -120,6 +120,7 @@ TEST_F(Linespace_OpenGl, the_strongest_candidates)
 //! lines near stronger ones are dropped, so that the weakest candidate may be reported.
 TEST_F(Linespace_OpenGl, a_cut_that_is_too_high)
 {
+    requireBackend(BACKEND_OPENGL);
     for (int i = 0; i < 40; ++i)
     {
         const Mat1b image = randomEdges(Size(150 + i, 190 - i), 0.3, (unsigned)i);
@@ -140,6 +141,7 @@ TEST_F(Linespace_OpenGl, a_cut_that_is_too_high)
 
 TEST_F(Linespace_OpenGl, stages_add_up_to_the_whole)
 {
+    requireBackend(BACKEND_OPENGL);
     const Mat1b image = randomEdges(Size(300, 200), 0.1, 3);
     const Ptr<LineSpaceDetector> detector = detectorFor(BACKEND_OPENGL);
     double best = 0;
@@ -169,6 +171,7 @@ TEST_F(Linespace_OpenGl, stages_add_up_to_the_whole)
 
 TEST_F(Linespace_OpenGl, full_hd)
 {
+    requireBackend(BACKEND_OPENGL);
     const Size size(1920, 1080);
     const Mat1b image = randomEdges(size, 0.05, 9), mask = randomEdges(size, 0.7, 10);
     for (int variant = 0; variant < 3; ++variant)
@@ -195,6 +198,7 @@ TEST_F(Linespace_OpenGl, full_hd)
 
 TEST_F(Linespace_OpenGl, the_default_back_end_of_the_process)
 {
+    requireBackend(BACKEND_OPENGL);
     // Of so many edge pixels that the drop-in counts chords.
     const Mat1b dense = randomEdges(Size(400, 300), 0.5, 1);
     Lines byCpu, byOpenGl, lines;
@@ -213,6 +217,7 @@ TEST_F(Linespace_OpenGl, the_default_back_end_of_the_process)
 
 TEST_F(Linespace_OpenGl, no_context_is_left_current)
 {
+    requireBackend(BACKEND_OPENGL);
     EXPECT_EQ(expected, detected());
     EXPECT_TRUE(TestContext::current() == nullptr);
 }
@@ -220,6 +225,7 @@ TEST_F(Linespace_OpenGl, no_context_is_left_current)
 //! One detector, of each thread after the other: a context of its own moves along.
 TEST_F(Linespace_OpenGl, one_detector_from_one_thread_after_another)
 {
+    requireBackend(BACKEND_OPENGL);
     const Ptr<LineSpaceDetector> detector = detectorFor(BACKEND_OPENGL);
     for (int round = 0; round < 4; ++round)
     {
@@ -232,6 +238,7 @@ TEST_F(Linespace_OpenGl, one_detector_from_one_thread_after_another)
 
 TEST_F(Linespace_OpenGl, detectors_of_several_threads)
 {
+    requireBackend(BACKEND_OPENGL);
     std::vector<std::thread> threads;
     std::vector<std::vector<Lines>> lines(4);
     for (size_t i = 0; i < lines.size(); ++i)
@@ -353,13 +360,9 @@ private:
 //! 4.3 and ES 3.1.
 typedef testing::TestWithParam<bool> Linespace_OpenGl_Context;
 
-#define SKIP_WITHOUT_OPENGL()                                                                      \
-    if (!isCompared(BACKEND_OPENGL))                                                               \
-    throw SkipTestException("no OpenGL")
-
 TEST_P(Linespace_OpenGl_Context, state_of_the_caller_is_restored)
 {
-    SKIP_WITHOUT_OPENGL();
+    requireBackend(BACKEND_OPENGL);
     const TestContext context(GetParam());
     const Mat1b edges = randomEdges(Size(90, 70), 0.2, 1);
     const unsigned int texture = context.textureOf(edges, true);
@@ -403,7 +406,7 @@ TEST_P(Linespace_OpenGl_Context, state_of_the_caller_is_restored)
 
 TEST_P(Linespace_OpenGl_Context, textures)
 {
-    SKIP_WITHOUT_OPENGL();
+    requireBackend(BACKEND_OPENGL);
     const TestContext context(GetParam());
     const Ptr<LineSpaceDetector> byCpu = LineSpaceDetector::create(0, 0, METHOD_CASCADED, 8,
                                                                    BACKEND_CPU),
@@ -456,14 +459,17 @@ public:
     }
 
 private:
-    static const char* name() { return "LINESPACE_OPENGL_LIMITS"; }
+    static const char* name()
+    {
+        return "LINESPACE_OPENGL_LIMITS";
+    }
     std::string before_; // an empty one lowers nothing
 };
 
 //! The CPU path takes over, and has the pixels from the device that failed.
 TEST_P(Linespace_OpenGl_Context, a_device_that_fails)
 {
-    SKIP_WITHOUT_OPENGL();
+    requireBackend(BACKEND_OPENGL);
     const LowLimits limits("16384,100,4");
     const TestContext context(GetParam());
     const Mat1b edges = randomEdges(Size(90, 70), 0.2, 1);
@@ -490,7 +496,7 @@ TEST_P(Linespace_OpenGl_Context, a_device_that_fails)
 
 TEST_P(Linespace_OpenGl_Context, textures_that_are_none)
 {
-    SKIP_WITHOUT_OPENGL();
+    requireBackend(BACKEND_OPENGL);
     const TestContext context(GetParam());
     const TestFunctions& functions = context.gl();
     gl::GLuint wrong[4];
@@ -536,7 +542,7 @@ TEST_P(Linespace_OpenGl_Context, textures_that_are_none)
 //! A detector goes along with the context that is current, or with none.
 TEST_P(Linespace_OpenGl_Context, contexts_take_turns)
 {
-    SKIP_WITHOUT_OPENGL();
+    requireBackend(BACKEND_OPENGL);
     const Mat1b edges = randomEdges(Size(90, 70), 0.2, 1);
     Lines expected, lines;
     LineSpaceDetector::create(20, 0, METHOD_CASCADED, 8, BACKEND_CPU)->detect(edges, expected);
@@ -581,7 +587,7 @@ size_t residentBytes()
 //! new.
 TEST_P(Linespace_OpenGl_Context, a_thousand_contexts_are_made_and_destroyed)
 {
-    SKIP_WITHOUT_OPENGL();
+    requireBackend(BACKEND_OPENGL);
     const Mat1b edges = randomEdges(Size(24, 17), 0.4, 1);
     Lines expected;
     LineSpaceDetector::create(5, 0, METHOD_CASCADED, 8, BACKEND_CPU)->detect(edges, expected);
@@ -634,6 +640,7 @@ INSTANTIATE_TEST_CASE_P(/**/, Linespace_OpenGl_Context, testing::Bool());
 //! Two at a time have a context each, of which one is kept and one is destroyed.
 TEST_F(Linespace_OpenGl, a_thousand_contexts_without_a_window)
 {
+    requireBackend(BACKEND_OPENGL);
     size_t before = 0;
     for (int i = 0; i < 1000; ++i)
     {

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// The search by bundles (doc/algorithm.md, section 4, point 6) finds the lines that whole tables give, to
-// the bit, whatever the image and the parameters.
+// The search by bundles (doc/algorithm.md, section 4, point 6) finds the lines that whole tables
+// give, to the bit, whatever the image and the parameters.
 
 #include "test_precomp.hpp"
 
@@ -105,8 +105,8 @@ TEST_P(Linespace_Pruning, numbers_of_candidates)
             }
 }
 
-// Maxima of neighbourhoods of every size, and the statistical rule, which refuses chords that may be
-// stronger than a neighbour that it accepts.
+// Maxima of neighbourhoods of every size, and the statistical rule, which refuses chords that may
+// be stronger than a neighbour that it accepts.
 TEST_P(Linespace_Pruning, neighbourhoods)
 {
     const Mat edges = someLines(GetParam(), 6);

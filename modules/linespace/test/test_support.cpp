@@ -90,6 +90,12 @@ bool isCompared(int backend)
     return std::find(backends.begin(), backends.end(), backend) != backends.end();
 }
 
+void requireBackend(int backend)
+{
+    if (!isCompared(backend))
+        throw SkipTestException(std::string("no ") + backendName(backend));
+}
+
 std::vector<int> testBackends()
 {
     std::vector<int> backends = comparedBackends();

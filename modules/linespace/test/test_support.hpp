@@ -23,6 +23,8 @@ std::vector<int> testBackends();
 //! The same without the reference: those that are compared with it.
 std::vector<int> comparedBackends();
 bool isCompared(int backend);
+//! Skips a test, from its body, if it is not. (What a fixture throws is no skipped test.)
+void requireBackend(int backend);
 #define LINESPACE_TEST_BACKENDS testing::ValuesIn(testBackends())
 
 const char* backendName(int backend);
