@@ -13,11 +13,13 @@ namespace {
 struct Dispatched
 {
     const char* name;
+    const char* disabledBy; //!< OPENCV_CPU_DISABLE's name for it
     int feature;
 };
 
 // Those of linespace_dispatch.cmake, best first; where there are none, the baseline alone is built.
-const Dispatched dispatched[] = {{"AVX512_SKX", CV_CPU_AVX512_SKX}, {"AVX2", CV_CPU_AVX2}};
+const Dispatched dispatched[] = {{"AVX512_SKX", "AVX512-SKX", CV_CPU_AVX512_SKX},
+                                 {"AVX2", "AVX2", CV_CPU_AVX2}};
 
 } // namespace
 
@@ -29,7 +31,7 @@ std::vector<InstructionSet> instructionSets()
         if (cv::checkHardwareSupport(set.feature))
         {
             sets.push_back({set.name, disable});
-            disable += (disable.empty() ? "" : ",") + std::string(set.name);
+            disable += (disable.empty() ? "" : ",") + std::string(set.disabledBy);
         }
     sets.push_back({"baseline", disable});
     return sets;
