@@ -77,8 +77,8 @@ void forRows(const BundleLevel& level, Work work)
                   { work(Range(range.start * perTask, std::min(rows, range.end * perTask))); });
 }
 
-//! Slots for the bundles that are needed, in order, and room for their votes; false if these are too
-//! many.
+//! Slots for the bundles that are needed, in order, and room for their votes; false if these are
+//! too many.
 bool makeRoom(const Merge* merge, BundleLevel& level)
 {
     const int rows = level.coarse.firstPoint(SIDE_LEFT), perTask = 32;
@@ -240,8 +240,8 @@ void BundleSearch::setLeast(const Plan& plan, const Wanted& wanted, int radius)
                         {
                             const int count = coarse.pointCount(side);
                             lengths.resize(count);
-                            // A chord that is refused can still be stronger than a neighbour that is
-                            // not.
+                            // A chord that is refused can still be stronger than a neighbour that
+                            // is not.
                             plan.leastVisibleLengths(
                                 BUNDLE_SIDE * s, frame.firstPoint(side), BUNDLE_SIDE, count,
                                 BUNDLE_SIDE - 1 + std::max(radius, 1), lengths.data());

@@ -3,10 +3,10 @@
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
 // The candidates of a cascade without the tables of its last levels (doc/algorithm.md, section
-// 4, point 6). A bundle is the SIDE x SIDE chords between two runs of SIDE border points. The most votes
-// that any of its chords can have follows from the bundles of the two children, as votes do, for a
-// sixteenth of the work; what cannot reach a candidate's votes is never counted. The candidates are
-// those that the table would give.
+// 4, point 6). A bundle is the SIDE x SIDE chords between two runs of SIDE border points. The most
+// votes that any of its chords can have follows from the bundles of the two children, as votes do,
+// for a sixteenth of the work; what cannot reach a candidate's votes is never counted. The
+// candidates are those that the table would give.
 
 #ifndef OPENCV_LINESPACE_BUNDLES_HPP
 #define OPENCV_LINESPACE_BUNDLES_HPP
@@ -62,8 +62,8 @@ public:
     /** The level from whose table bundles take over; -1 if they cannot: frames of a few levels,
     cells whose sides are no multiples of BUNDLE_SIDE, votes of more than 16 bits. */
     static int baseLevel(const Plan& plan, bool weighted);
-    //! Bytes that a search from that level allocates at most, but for the candidates and what `room`
-    //! has anyway, which is a table of at least a byte per chord.
+    //! Bytes that a search from that level allocates at most, but for the candidates and what
+    //! `room` has anyway, which is a table of at least a byte per chord.
     static double memory(const Plan& plan, int base);
 
     //! Whether to search an image of that size; not if that was in vain for the images before.

@@ -183,7 +183,8 @@ inline v_uint8x16 addNarrow(const v_uint8x16& a, const v_uint8x16& b, v_uint8x16
     return sum;
 }
 
-//! As addRuns, into votes of one byte; false if a sum did not fit (or is 255, which nobody can tell).
+//! As addRuns, into votes of one byte; false if a sum did not fit (or is 255, which nobody can
+//! tell).
 template<int Cells>
 bool addRunsNarrow(const uchar* a, ptrdiff_t strideA, const uchar* b, ptrdiff_t strideB,
                    ptrdiff_t stepB, const int* m, int count, size_t cells, uchar* parent)

@@ -16,6 +16,8 @@
 #include "selection.hpp"
 #include "stage_times.hpp"
 
+#include <opencv2/core/ocl.hpp>
+
 #include <climits>
 #include <cmath>
 #include <limits>
@@ -59,7 +61,7 @@ class LineSpaceDetectorImpl CV_FINAL : public LineSpaceDetector
 {
 public:
     explicit LineSpaceDetectorImpl(const Parameters& parameters)
-        : parameters_(parameters), activeBackend_(-1)
+        : parameters_(parameters), maskContext_(0), activeBackend_(-1)
     {
     }
 
@@ -369,8 +371,15 @@ private:
         checkImage(input.edges, "edges");
         prepare("edges", input.edges.size(), input.gradients, level, writesTable, edges, counting);
         edges.source = onDevice(input.edges);
-        if (!edges.source.empty() && !mask_.empty() && maskOnDevice_.empty())
+        if (edges.source.empty() || mask_.empty())
+            return;
+        void* const context = ocl::Context::getDefault().ptr();
+        if (maskOnDevice_.empty() || maskContext_ != context)
+        {
+            maskOnDevice_.release();
             mask_.copyTo(maskOnDevice_);
+            maskContext_ = context;
+        }
         edges.sourceMask = maskOnDevice_;
     }
 
@@ -479,6 +488,8 @@ private:
                                   {
                                       if (&executor != executor_.get()) // tables of another device
                                           tables_.release();
+                                      if (&executor != first.get()) // which failed
+                                          counting.times.restart();
                                       work(executor);
                                   });
         if (counting.executor != first)
@@ -548,8 +559,12 @@ private:
         if (out.isUMat() && executor.takesUMats())
         {
             out.create(size, CV_32SC1);
-            executor.writeTable(plan, l, table, out.getUMat());
-            return;
+            const UMat onItsDevice = onDevice(out);
+            if (!onItsDevice.empty())
+            {
+                executor.writeTable(plan, l, table, onItsDevice);
+                return;
+            }
         }
         executor.fetch(table);
         std::vector<int> rowBits, columnBits;
@@ -728,8 +743,8 @@ private:
                          candidates.end());
     }
 
-    //! The chords of the frame whose exact votes may meet the requirement. Sets areCounted if they have
-    //! been counted exactly, and have climbed.
+    //! The chords of the frame whose exact votes may meet the requirement. Sets areCounted if they
+    //! have been counted exactly, and have climbed.
     std::vector<Candidate> candidatesFor(Executor& executor, const EdgeMap& edges,
                                          const Requirement& requirement,
                                          const AngleInterval& angles, Counting& counting,
@@ -891,6 +906,7 @@ private:
     Parameters parameters_;
     Mat mask_;
     UMat maskOnDevice_; // empty until it is needed
+    void* maskContext_; // of OpenCL, where it is
     Ptr<const Plan> plan_;
     int planMethod_, planCellSize_;
     Ptr<Executor> executor_;

@@ -126,8 +126,8 @@ bool countsAllLines(const Plan& plan, const HoughGrid& grid, bool weighted, size
     // A band as wide as the image holds most pixels anyway.
     if (grid.rho >= std::max(grid.image.width, grid.image.height))
         return true;
-    // The time, in that of a pixel at one angle: every pixel at every angle, or the cascade and a look
-    // at its table for every line of the grid (measured on photographs, doc/performance.md).
+    // The time, in that of a pixel at one angle: every pixel at every angle, or the cascade and a
+    // look at its table for every line of the grid (measured on photographs, doc/performance.md).
     const double chords = (double)plan.frame().chordCount(), angles = grid.angles;
     const double sides = (double)grid.image.width + grid.image.height;
     return edgePixels * angles < 7 * chords + 40 * sides * angles ||

@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// What reads single edge pixels on an OpenCL device, after the votes: candidates that climb to maxima
-// of the exact votes, what ascent.hpp does on the host, and the pixels as bits, for the refinement
-// there. Only for files that are compiled with HAVE_OPENCL.
+// What reads single edge pixels on an OpenCL device, after the votes: candidates that climb to
+// maxima of the exact votes, what ascent.hpp does on the host, and the pixels as bits, for the
+// refinement there. Only for files that are compiled with HAVE_OPENCL.
 
 #ifndef OPENCV_LINESPACE_OCL_ASCENT_HPP
 #define OPENCV_LINESPACE_OCL_ASCENT_HPP
@@ -19,7 +19,7 @@ namespace linespace {
 class DeviceAscent
 {
 public:
-    DeviceAscent() : isPacked_(false) {}
+    DeviceAscent() : isWeighted_(false), isPacked_(false) {}
 
     //! What it is asked for from now on is of these pixels.
     void reset(const DevicePixels& pixels, bool isWeighted, const Cell& frame);

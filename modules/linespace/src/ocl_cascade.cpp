@@ -355,12 +355,14 @@ private:
             votes.directions = edges.directionsOnDevice;
         else if (edges.isOriented())
         {
-            edges.directions.copyTo(directions_);
+            copyOnDevice([&]() { edges.directions.copyTo(directions_); });
+            checkIsOnDevice(directions_);
             votes.directions = directions_;
         }
         if (edges.source.empty())
         {
-            edges.votes.copyTo(votes_);
+            copyOnDevice([&]() { edges.votes.copyTo(votes_); });
+            checkIsOnDevice(votes_);
             votes.image = votes_;
             return votes;
         }

@@ -17,6 +17,7 @@ void allocateBits(Size size, UMat& bits)
 {
     checkAllocation((double)size.width * size.height * sizeof(ushort));
     bits.create(size, CV_16UC1);
+    checkIsOnDevice(bits);
 }
 
 String optionsFor(const DevicePixels& votes, bool hasFloats)

@@ -154,7 +154,7 @@ void DeviceHoughLines::forgetLarge()
             tables_.of(i).device.release();
     UMat* const others[] = {&image_, &x_, &y_, &weights_, &supported_, &votes_, &lines_};
     for (UMat* other : others)
-        if (other->cols > MOST_KEPT_BYTES)
+        if ((double)other->total() * other->elemSize() > MOST_KEPT_BYTES)
             other->release();
 }
 
@@ -166,7 +166,8 @@ void DeviceHoughLines::count(Executor& cascade, const EdgeMap& edges, const Plan
     EdgeMap map = edges;
     if (map.source.empty())
     {
-        edges.votes.copyTo(image_);
+        copyOnDevice([&]() { edges.votes.copyTo(image_); });
+        checkIsOnDevice(image_);
         map.source = image_;
     }
     const UMat& image = map.source;

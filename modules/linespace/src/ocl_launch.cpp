@@ -67,25 +67,48 @@ void checkAllocation(double bytes)
         throw DeviceFailure(format("%.0f bytes are more than the device gives at once", bytes));
 }
 
+void checkIsOnDevice(const UMat& memory)
+{
+    // OpenCV gives memory of the host where the device has none.
+    if (!memory.u || memory.u->currAllocator != ocl::getOpenCLAllocator())
+        throw DeviceFailure(format("%.0f bytes are more than the device has left",
+                                   (double)memory.total() * memory.elemSize()));
+}
+
 void allocateOn(UMat& memory, size_t bytes)
 {
     if (bytes <= (size_t)memory.cols)
         return;
     memory.release();
     checkAllocation((double)bytes);
-    memory.create(1, (int)bytes, CV_8UC1);
+    UMat allocated(1, (int)bytes, CV_8UC1);
+    checkIsOnDevice(allocated);
+    memory = allocated;
+}
+
+void copyOnDevice(const std::function<void()>& copy)
+{
+    try
+    {
+        copy();
+    }
+    catch (const cv::Exception& exception)
+    {
+        throw DeviceFailure(exception.err);
+    }
 }
 
 void uploadBytes(const void* from, size_t bytes, UMat& memory)
 {
     allocateOn(memory, bytes);
-    Mat(1, (int)bytes, CV_8UC1, (void*)from).copyTo(memory.colRange(0, (int)bytes));
+    copyOnDevice(
+        [&]() { Mat(1, (int)bytes, CV_8UC1, (void*)from).copyTo(memory.colRange(0, (int)bytes)); });
 }
 
 void download(const UMat& memory, size_t bytes, void* to)
 {
     Mat result(1, (int)bytes, CV_8UC1, to);
-    memory.colRange(0, (int)bytes).copyTo(result);
+    copyOnDevice([&]() { memory.colRange(0, (int)bytes).copyTo(result); });
 }
 
 Launch::Launch(DeviceProgram program, const char* name, const String& options)
@@ -101,7 +124,8 @@ Launch::Launch(DeviceProgram program, const char* name, const String& options)
 void Launch::run(size_t width, size_t height, bool alongRows)
 {
     size_t items = alongRows ? GROUP_OF_ROWS : GROUP;
-    while (items > kernel_.workGroupSize())
+    const size_t most = std::max<size_t>(1, kernel_.workGroupSize());
+    while (items > most)
         items /= 2;
     size_t local[2] = {alongRows ? 1 : items, alongRows ? items : 1}, global[2] = {width, height};
     if (!kernel_.run(2, global, local, false))

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// What all stages on an OpenCL device share: memory, and launches of kernels. Only for files that are
-// compiled with HAVE_OPENCL.
+// What all stages on an OpenCL device share: memory, and launches of kernels. Only for files that
+// are compiled with HAVE_OPENCL.
 
 #ifndef OPENCV_LINESPACE_OCL_LAUNCH_HPP
 #define OPENCV_LINESPACE_OCL_LAUNCH_HPP
@@ -11,6 +11,8 @@
 #include "stages.hpp"
 
 #include <opencv2/core/ocl.hpp>
+
+#include <functional>
 
 namespace cv {
 namespace linespace {
@@ -23,6 +25,12 @@ void checkAllocation(double bytes);
 
 //! Makes a row of at least so many bytes on the device; what it held may be lost.
 void allocateOn(UMat& memory, size_t bytes);
+
+//! Throws DeviceFailure if what was allocated is on the host.
+void checkIsOnDevice(const UMat& memory);
+
+//! Does it; an exception of OpenCV's becomes a DeviceFailure.
+void copyOnDevice(const std::function<void()>& copy);
 
 void uploadBytes(const void* from, size_t bytes, UMat& memory);
 template<class Element>

@@ -27,6 +27,8 @@ enum
 //! The first image's cut comes from one run or block of so many.
 const int SAMPLE = 32;
 
+const int LEAST_ROOM = 1 << 12;
+
 const size_t THREE = 3 * sizeof(int);
 
 static_assert(sizeof(Candidate) == THREE, "votes, s and e, as the device writes them");
@@ -137,9 +139,12 @@ void DeviceMaxima::find(const EdgeMap& edges, const Plan& plan, const VoteTable&
             cut = wanted.threshold;
             continue;
         }
+        // The next image may have somewhat more, and is to need one search.
+        if (!isFew)
+            room_ = asInt(std::max<double>(LEAST_ROOM, 1.25 * head.votes));
         if (head.votes > room)
         {
-            room = room_ = head.votes;
+            room = std::min(most, room_);
             continue;
         }
         // Of a cut that was too low nothing is to be learnt.

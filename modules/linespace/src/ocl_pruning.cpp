@@ -112,7 +112,7 @@ void DevicePruning::learn(int neededCount)
 
 void DevicePruning::list(const Plan& plan, int base)
 {
-    base_ = base;
+    base_ = -1; // until all is there
     top_ = plan.levelCount() - 1 - base;
     for (int l = 0; l <= top_; ++l)
     {
@@ -144,6 +144,7 @@ void DevicePruning::list(const Plan& plan, int base)
         upload(rows, level.rows);
         upload(segments, level.segments);
     }
+    base_ = base;
 }
 
 void DevicePruning::bound(const Plan& plan, int base, const VoteTable& table)

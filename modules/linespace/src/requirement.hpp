@@ -45,7 +45,8 @@ struct Requirement
                candidate.votes >= ratio * needed[plan.visibleLength(chord)];
     }
 
-    //! By the number of pixels in the image: with fewer votes canBeMet() is false. Empty: of no use.
+    //! By the number of pixels in the image: with fewer votes canBeMet() is false. Empty: of no
+    //! use.
     std::vector<int> leastVotes(double ratio) const;
 
     //! For exact votes. The statistical rule counts pixels, whatever their weights.

@@ -3,7 +3,8 @@
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
 // What is a local maximum of votes on the ring of border points (doc/algorithm.md, section 4.1),
-// wherever the votes are kept: votes(p, q) gives those of any two border points, in either order, and
+// wherever the votes are kept: votes(p, q) gives those of any two border points, in either order,
+// and
 // 0 for two on one side.
 
 #ifndef OPENCV_LINESPACE_RING_MAXIMA_HPP

@@ -33,7 +33,8 @@ public:
         milliseconds_.push_back((double)(now - last_) * 1e3 / getTickFrequency());
         last_ = now;
     }
-    //! The last stages took so long; what that is more or less than was measured, the next one did not.
+    //! The last stages took so long; what that is more or less than was measured, the next one did
+    //! not.
     void correctLast(const std::vector<double>& milliseconds)
     {
         CV_DbgAssert(milliseconds.size() <= milliseconds_.size());

@@ -5,9 +5,9 @@
 // The seam between the detector and its back ends: the stages that each back end implements, and
 // the memory order of what passes between them. A back end is an executor of one plan; it derives
 // no geometry of its own and decides nothing, so all give the same votes. What follows the table
-// (candidates, selection, refinement) is host code that all share: peaks.hpp, selection.hpp,
-// refine.hpp; a device may find the candidates itself, as findMaxima() tells. So is what the ascent and the selection count exactly on their way (ascent.hpp,
-// chord_counter.hpp): rescore() serves candidates that do not climb.
+// is host code that all share: candidates (peaks.hpp), their exact votes (ascent.hpp,
+// chord_counter.hpp; rescore() serves those that do not climb), selection.hpp, refine.hpp. A device
+// may do the first two itself, as findMaxima() tells.
 //
 // What a stage combines is a vote count, but nothing here depends on that beyond VoteTable::depth:
 // a later table may hold other monoids (for segments: best run, prefix, suffix, sum) in the same
@@ -77,8 +77,8 @@ struct EdgeMap
 {
     //! May be empty if the source is not, for an executor that takes UMats, or if isTaken.
     Mat votes;
-    //! The image and the mask that the votes come from, on OpenCV's device. The image is empty if it
-    //! is not there, the mask if there is none.
+    //! The image and the mask that the votes come from, on OpenCV's device. The image is empty if
+    //! it is not there, the mask if there is none.
     UMat source, sourceMask;
     //! Whether the executor has the votes already, by takeTexture().
     bool isTaken;
@@ -134,7 +134,8 @@ public:
     virtual void begin() {}
     virtual void end() {}
 
-    //! Whether it works where the data of a UMat are: it reads EdgeMap::source, and writeTable() works.
+    //! Whether it works where the data of a UMat are: it reads EdgeMap::source, and writeTable()
+    //! works.
     virtual bool takesUMats() const { return false; }
 
     /** The directions of a map (directionBits) from gradients that are on the device, as its source is,
@@ -209,8 +210,8 @@ public:
     //! Reads the edge pixels of the map that was counted last, whatever their weights.
     virtual void readBits(EdgeBits& /*bits*/) {}
 
-    //! The size of a texture of OpenGL. Throws cv::Exception if it is none of those that detectTexture
-    //! takes.
+    //! The size of a texture of OpenGL. Throws cv::Exception if it is none of those that
+    //! detectTexture takes.
     virtual Size textureSize(unsigned int /*texture*/) { return Size(); }
 
     //! Takes what votes from a texture, as EdgeMap::votes; `mask` may be empty.

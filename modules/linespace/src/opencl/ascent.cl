@@ -8,13 +8,13 @@
 // Candidates are threes of numbers, (votes, s, e), after a first one whose first number is how many
 // there are; those that still climb have CLIMBING votes. In a round all climb one step: what their
 // neighbourhoods need is marked, each marked chord is counted once, each candidate moves to the
-// strongest chord around it. Chords are counted by squares of 8 x 8 neighbours (vote_squares.hpp), a
-// bit each of a uint2 of marks. Marks are set by atomic_or and everything else is written by one item,
-// so nothing depends on the order of items.
+// strongest chord around it. Chords are counted by squares of 8 x 8 neighbours (vote_squares.hpp),
+// a bit each of a uint2 of marks. Marks are set by atomic_or and everything else is written by one
+// item, so nothing depends on the order of items.
 //
 // BITS: of a map without weights, whose pixels are bits, 32 across the chords in a word; without it
-// they are bytes. LANES: chords that an item counts at once. EXACT: the type of exact votes. RADIUS:
-// of the neighbourhood; 0: candidates are only counted, where they are.
+// they are bytes. LANES: chords that an item counts at once. EXACT: the type of exact votes.
+// RADIUS: of the neighbourhood; 0: candidates are only counted, where they are.
 
 enum
 {

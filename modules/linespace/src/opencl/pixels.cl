@@ -2,12 +2,12 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// The pixels of the edge map and the exact votes of a chord, for the programs that read them: each is
-// compiled after chords.cl and this text.
+// The pixels of the edge map and the exact votes of a chord, for the programs that read them: each
+// is compiled after chords.cl and this text.
 //
 // BINARY: a pixel votes if it is not 0; else by its value. MASKED: only where the mask is not 0.
-// END_COSINES, BINS: those of orientation.cpp; a chord has the votes of the pixels whose directions have
-// its bin.
+// END_COSINES, BINS: those of orientation.cpp; a chord has the votes of the pixels whose directions
+// have its bin.
 
 #ifdef MASKED
 #define MASK_PARAMETERS , __global const uchar *mask, int maskStep, int maskOffset

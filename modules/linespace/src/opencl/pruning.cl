@@ -31,7 +31,6 @@
 
 #define CHILD16 CONCAT(CHILD, 16)
 #define CHILD8 CONCAT(CHILD, 8)
-#define CHILD4 CONCAT(CHILD, 4)
 
 /* Bounds from a whole table. Global size: blocks of the longest row, rows of blocks. */
 __kernel void poolBlocks(__global const CHILD* table, int width, int height,
@@ -50,12 +49,7 @@ __kernel void poolBlocks(__global const CHILD* table, int width, int height,
         for (int k = 0; k < BLOCK * CELLS; k += 16)
             most = max(most, *(__global const CHILD16*)(row + k));
     const CHILD8 most8 = max(most.lo, most.hi);
-#if CELLS == 8
-    const CHILD8 result = most8;
-#else
-    const CHILD4 result = max(most8.lo, most8.hi);
-#endif
-    CELLS_AT(ushort, bounds + (size_t)(rowStart(coarse, s) + e) * CELLS) = CONVERT(ushort, result);
+    CELLS_AT(ushort, bounds + (size_t)(rowStart(coarse, s) + e) * CELLS) = CONVERT(ushort, most8);
 }
 
 #else
