@@ -23,6 +23,7 @@ GROUP = 64  # work items
 VECTOR = 16  # cells of an item
 SECTOR = 32  # bytes that a cache fetches for one of them
 INT = 4
+SHORT = 2
 
 PRUNED_LEVELS = 3
 BLOCK = 8  # border points a side of a block of chords
@@ -78,17 +79,25 @@ def stages_of(work):
                     row.bytes_loaded, row.adds,
                     row.bytes_written + loads * max(SECTOR, cells * child_bytes))
     whole = rows[f"level {base}"].bytes_written
-    pools = entries_of(rows, base) / BLOCK ** 2 * INT
-    yield Stage("poolBlocks", pools / INT, whole, pools, whole, 0, whole + pools)
+    pools = entries_of(rows, base) / BLOCK ** 2 * SHORT
+    yield Stage("poolBlocks", pools / SHORT, whole, pools, whole, 0, whole + pools)
     for level in range(base + 1, last + 1):
         row = rows[f"level {level}"]
         blocks = entries_of(rows, level) / BLOCK ** 2
         # A block's parts lie in two or three pools of either child.
-        yield Stage(f"boundBlocks {level}", blocks, blocks / 2 * INT, blocks * INT,
-                    blocks * 6 * INT, blocks * 4, blocks * INT + blocks * 6 * SECTOR)
-        share = NEEDED[level - base - 1]
-        yield Stage(f"mergeBlocks {level}", blocks * share, row.bytes_read * share,
-                    row.bytes_written * share, row.bytes_loaded * share, row.adds * share,
+        yield Stage(f"boundBlocks {level}", blocks, blocks * SHORT, blocks * SHORT,
+                    blocks * 6 * SHORT, blocks * 4, blocks * SHORT + blocks * 6 * SECTOR)
+    for level in range(last, base + 1, -1):
+        blocks = entries_of(rows, level) / BLOCK ** 2
+        yield Stage(f"requireBlocks {level}", blocks, blocks * INT, blocks * INT,
+                    blocks * 6 * INT, 0, blocks * INT + blocks * 6 * SECTOR)
+    for level in range(base + 1, last + 1):
+        row = rows[f"level {level}"]
+        entries, share = entries_of(rows, level), NEEDED[level - base - 1]
+        # There are items for all chords; most find that their block is not needed.
+        yield Stage(f"mergeBlocks {level}", entries / 2 ** (last - level),
+                    row.bytes_read * share + entries / BLOCK ** 2 * INT, row.bytes_written * share,
+                    row.bytes_loaded * share + entries * INT, row.adds * share,
                     row.bytes_written * share + 2 * row.adds * share * SECTOR)
     entries, share = entries_of(rows, last), NEEDED[-1]
     table = top.bytes_written * share
