@@ -24,7 +24,7 @@ PIXELS = 640 * 480
 SEARCH = 10      # launches: reset, three searches, two cuts, choose, count, scan, write
 SHORT_SEARCH = 6  # of a table so small that no sample is taken
 BITS = 1         # a launch packs the pixels
-ASCENT = 13      # launches: clear, four rounds of list, count, step
+ASCENT = 19      # launches: clear, four rounds of list, count, step, six of those left
 
 
 def launches_of_merge(width, height, horizontal):

@@ -21,8 +21,10 @@ enum
 {
     SQUARE = 8
 };
-//! Steps of a call.
+//! Steps that all take together.
 const int ROUNDS = 4;
+//! Then those that are left go on alone, if a launch of so many turns of loops is worth it.
+const int MOST_TURNS = 65000, LAUNCHES_ALONE = 6;
 //! Lists of rounds: the first one of a call that goes on has the number 1.
 const int LISTS = ROUNDS + 1;
 
@@ -141,6 +143,17 @@ bool GlAscent::count(GlDevice& device, int radius, const GlBuffer& candidates, i
             .windows(votes_, bytes)
             .block(candidates)
             .runItems(pixels_.numbers({room, round}), room);
+    }
+    // A step is the pixels of a neighbourhood.
+    const int pixels = std::max(frame.width, frame.height) + 2,
+              steps = MOST_TURNS / ((2 * radius + 1) * (2 * radius + 1) * pixels) - 1;
+    for (int k = 0; k < LAUNCHES_ALONE && steps > 0; ++k)
+    {
+        GlLaunch alone =
+            launch("CLIMB_ON", define("STEPS", steps) + windowed + mapOptions((int)windows + 2));
+        alone.windows(votes_, bytes).block(candidates).block(marks_);
+        giveMap(alone, (int)windows + 2);
+        alone.runItems(pixels_.numbers({room}), room);
     }
     return true;
 }

@@ -9,14 +9,14 @@
 // there are; those that still climb have CLIMBING votes. In a round all climb one step: the chords
 // of their neighbourhoods that were not counted yet are marked and listed, each listed chord is
 // counted once, each candidate moves to the strongest chord around it. Who asks goes on with those
-// that climb for more steps than there are rounds: no launch is longer than a step (llvmpipe ends
-// loops of a shader after 65536 turns, other drivers after a time). A chord has its place among
+// that climb for more steps: no launch is long (llvmpipe ends loops of a shader after 65536 turns,
+// other drivers after a time). A chord has its place among
 // those of squares of 8 x 8 neighbours (vote_squares.hpp), one square after another, so that a
 // neighbourhood is read at few places. The order of a list is any, as marks are set and lists grow
 // by atomic operations; what is counted does not depend on it, and everything else is written by
 // one item.
 //
-// One of CLEAR_MARKS, LIST_NEIGHBOURS, COUNT_LISTED, TAKE_STEPS, COUNT_CANDIDATES: what it is
+// One of CLEAR_MARKS, LIST_NEIGHBOURS, COUNT_LISTED, TAKE_STEPS, CLIMB_ON, COUNT_CANDIDATES: what it is
 // compiled for. RADIUS: of the neighbourhood. ROUNDS: numbers that a list begins with, how many
 // chords each round has listed. The windows show the votes of all places.
 
@@ -32,7 +32,7 @@
 #if defined(LIST_NEIGHBOURS) || defined(COUNT_CANDIDATES)
 layout(std430, binding = 0) buffer Candidates { int candidates[]; };
 #endif
-#ifdef TAKE_STEPS
+#if defined(TAKE_STEPS) || defined(CLIMB_ON)
 layout(std430, binding = BLOCK_A) buffer Candidates { int candidates[]; };
 #endif
 
@@ -86,7 +86,7 @@ void main()
 }
 #endif
 
-#if defined(LIST_NEIGHBOURS) || defined(TAKE_STEPS)
+#if defined(LIST_NEIGHBOURS) || defined(TAKE_STEPS) || defined(CLIMB_ON)
 
 /* A point's place among the runs: its run and its number there. */
 ivec2 placeInRuns(Frame frame, Frame runs, int p)
@@ -168,12 +168,27 @@ void main()
 }
 #endif
 
-#ifdef TAKE_STEPS
+#if defined(TAKE_STEPS) || defined(CLIMB_ON)
 
 /* The total order, as isStronger in peaks.hpp: (votes, s, e). */
 bool isStronger(ivec3 a, ivec3 b)
 {
     return a.x != b.x ? a.x > b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
+#ifdef CLIMB_ON
+layout(std430, binding = BLOCK_B) readonly buffer Marks { uint marks[]; };
+#endif
+
+/* Counted by a round, or now. */
+int votesOf(Frame frame, Frame runs, ivec2 chord)
+{
+    int place = placeOf(frame, runs, chord);
+#ifdef CLIMB_ON
+    if ((marks[place >> 5] >> (place & 31) & 1u) == 0u)
+        return int(votesOfChord(frame, chord));
+#endif
+    return int(tableAt(uint(place)));
 }
 
 /* The strongest chord of a neighbourhood: votes, s and e. */
@@ -186,14 +201,16 @@ ivec3 strongestAround(Frame frame, ivec2 chord)
         ivec2 neighbour = neighbourOf(frame, chord, j);
         if (neighbour.y == 0)
             continue;
-        ivec3 other = ivec3(int(tableAt(uint(placeOf(frame, runs, neighbour)))), neighbour);
+        ivec3 other = ivec3(votesOf(frame, runs, neighbour), neighbour);
         if (isStronger(other, best))
             best = other;
     }
     return best;
 }
 
-/* Each candidate that climbs moves to the strongest chord around it, or is there. */
+/* Each candidate that climbs moves to the strongest chord around it, or is there. With CLIMB_ON the
+few that climb for more steps than there are rounds take up to STEPS + 1 of them alone, and count what
+was not counted for others. */
 void main()
 {
     int i = int(itemIndex());
@@ -205,6 +222,13 @@ void main()
     Frame frame = Frame(WIDTH, HEIGHT);
     ivec2 chord = ivec2(candidates[at + 1], candidates[at + 2]);
     ivec3 best = strongestAround(frame, chord);
+#ifdef CLIMB_ON
+    for (int step = 0; step < STEPS && best.yz != chord; ++step)
+    {
+        chord = best.yz;
+        best = strongestAround(frame, chord);
+    }
+#endif
     if (best.yz == chord)
         candidates[at] = best.x;
     candidates[at + 1] = best.y;
