@@ -7,6 +7,7 @@
 #ifdef LINESPACE_OPENGL
 
 #include "gl_maxima.hpp"
+#include "vote_squares.hpp"
 
 #include <climits>
 #include <cmath>
@@ -16,22 +17,13 @@ namespace linespace {
 
 namespace {
 
-//! As in ascent.glsl.
-enum
-{
-    SQUARE = 8
-};
+const int SQUARE = VoteSquares::SQUARE; // as in ascent.glsl
 //! Steps that all take together.
 const int ROUNDS = 4;
 //! Then those that are left go on alone, if a launch of so many turns of loops is worth it.
 const int MOST_TURNS = 65000, LAUNCHES_ALONE = 6;
 //! Lists of rounds: the first one of a call that goes on has the number 1.
 const int LISTS = ROUNDS + 1;
-
-Cell runsOf(const Cell& frame)
-{
-    return Cell((frame.width + SQUARE - 1) / SQUARE, (frame.height + SQUARE - 1) / SQUARE);
-}
 
 } // namespace
 
@@ -91,7 +83,7 @@ bool GlAscent::count(GlDevice& device, int radius, const GlBuffer& candidates, i
         else
             pixels_.giveTo(launch, block);
     };
-    const double placeCount = (double)runsOf(frame).chordCount() * SQUARE * SQUARE,
+    const double placeCount = (double)VoteSquares::runsOf(frame).chordCount() * SQUARE * SQUARE,
                  most = std::min(placeCount, (double)room * (2 * radius + 1) * (2 * radius + 1)),
                  listBytes = (LISTS + most) * sizeof(int),
                  windows = std::ceil(placeCount * sizeof(uint) / limits.blockBytes);

@@ -9,6 +9,7 @@
 #include "ocl_ascent.hpp"
 
 #include "orientation.hpp"
+#include "vote_squares.hpp"
 
 #include <climits>
 
@@ -17,20 +18,11 @@ namespace linespace {
 
 namespace {
 
-//! As in ascent.cl.
-enum
-{
-    SQUARE = 8
-};
+const int SQUARE = VoteSquares::SQUARE; // as in ascent.cl
 //! After so many steps that all take together those that are left go on alone.
 const int ROUNDS = 4;
 //! n (n + 1) < 2^26, see countLanes in ascent.cl.
 const int MOST_PIXELS_OF_LANES = 8191;
-
-Cell runsOf(const Cell& frame)
-{
-    return Cell((frame.width + SQUARE - 1) / SQUARE, (frame.height + SQUARE - 1) / SQUARE);
-}
 
 } // namespace
 
@@ -110,7 +102,7 @@ void DeviceAscent::count(int radius, const UMat& candidates, int room)
         counting.run(room, 1);
         return;
     }
-    const int squares = asInt((double)runsOf(frame_).chordCount());
+    const int squares = asInt((double)VoteSquares::runsOf(frame_).chordCount());
     allocateOn(wanted_, squares * sizeof(uint64));
     allocateOn(counted_, squares * sizeof(uint64));
     allocateOn(votes_, (size_t)squares * SQUARE * SQUARE * depth);

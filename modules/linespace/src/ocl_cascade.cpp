@@ -408,17 +408,7 @@ private:
     void listCells(const Plan& plan)
     {
         const Level& level = plan.level(0);
-        std::vector<int> rowBits, columnBits;
-        plan.cellOrder(0, rowBits, columnBits);
-        std::vector<int> corners(2 * level.cellCount());
-        for (int row = 0; row < level.grid.height; ++row)
-            for (int column = 0; column < level.grid.width; ++column)
-            {
-                int* const corner = &corners[2 * (rowBits[row] + columnBits[column])];
-                corner[0] = column * level.cell.width;
-                corner[1] = row * level.cell.height;
-            }
-        upload(corners, corners_);
+        upload(plan.cellCorners(), corners_);
 
         std::vector<ushort> pixels;
         std::vector<int> starts;

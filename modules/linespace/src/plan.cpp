@@ -327,6 +327,22 @@ void Plan::cellOrder(int l, std::vector<int>& rowBits, std::vector<int>& columnB
     }
 }
 
+std::vector<int> Plan::cellCorners() const
+{
+    const Level& first = level(0);
+    std::vector<int> rowBits, columnBits;
+    cellOrder(0, rowBits, columnBits);
+    std::vector<int> corners(2 * first.cellCount());
+    for (int row = 0; row < first.grid.height; ++row)
+        for (int column = 0; column < first.grid.width; ++column)
+        {
+            int* const corner = &corners[2 * (rowBits[row] + columnBits[column])];
+            corner[0] = column * first.cell.width;
+            corner[1] = row * first.cell.height;
+        }
+    return corners;
+}
+
 int Plan::visibleLength(Chord chord) const
 {
     const Raster raster(frame(), chord);

@@ -262,6 +262,8 @@ public:
     /** Index of the cells of a level in its table: cell (row, column) of the grid has the index
     rowBits[row] + columnBits[column]. */
     void cellOrder(int l, std::vector<int>& rowBits, std::vector<int>& columnBits) const;
+    //! x and y of the first pixel of each cell of level 0, in the order of its table.
+    std::vector<int> cellCorners() const;
 
     /** Number of pixels of a chord of the frame that lie in the image: the largest number of votes
     the chord could have. */

@@ -18,11 +18,6 @@ const size_t LEAST_SQUARES = 64;
 static_assert(PARALLEL % SQUARE == 0, "a strip is of whole runs");
 static_assert(SQUARE == 8, "a square's chords are the bits of 64");
 
-Cell runsOf(const Cell& frame)
-{
-    return Cell((frame.width + SQUARE - 1) / SQUARE, (frame.height + SQUARE - 1) / SQUARE);
-}
-
 //! Words with a bit for each strip of a family, of a side's length at most.
 size_t wordsOf(int length)
 {
@@ -129,7 +124,7 @@ private:
 
 double VoteSquares::memory(const Cell& frame, bool hasPieces)
 {
-    double bytes = (double)runsOf(frame).chordCount() * sizeof(int);
+    double bytes = (double)VoteSquares::runsOf(frame).chordCount() * sizeof(int);
     if (hasPieces)
         for (int pair = 0; pair < 2; ++pair)
             bytes += EdgePieces::memory(frame, pair == 0) + (2. * frame.pointCount(pair) - 1) *
@@ -141,7 +136,7 @@ double VoteSquares::memory(const Cell& frame, bool hasPieces)
 double VoteSquares::squareMemory(const Cell& frame, double squares)
 {
     // A vector that grows holds its old contents as well for a moment.
-    return std::min(squares, (double)runsOf(frame).chordCount()) *
+    return std::min(squares, (double)VoteSquares::runsOf(frame).chordCount()) *
            (3 * sizeof(Square) + 2 * sizeof(int));
 }
 
@@ -162,7 +157,7 @@ void VoteSquares::reset(const EdgePlanes& planes)
 {
     planes_ = &planes;
     frame_ = planes.frame();
-    runs_ = runsOf(frame_);
+    runs_ = VoteSquares::runsOf(frame_);
     slots_.assign(runs_.chordCount(), -1);
     squares_.clear();
     wanted_.clear();

@@ -26,6 +26,13 @@ public:
 
     VoteSquares() : planes_(0) {}
 
+    //! A cell with a border point for each run of a frame's; its chords are the squares, on devices
+    //! as well.
+    static Cell runsOf(const Cell& frame)
+    {
+        return Cell((frame.width + SQUARE - 1) / SQUARE, (frame.height + SQUARE - 1) / SQUARE);
+    }
+
     //! Forgets all votes; those asked for from now on are of these planes, which must outlive it.
     void reset(const EdgePlanes& planes);
     void clear();
