@@ -2,11 +2,12 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// Calls one function twice, UMat in, UMat out, for test_launches.py, which reads the device's own
+// Calls one function two to four times, UMat in, UMat out, for test_launches.py, which reads the device's own
 // account of it:
 //   linespace_device_calls FUNCTION IMAGE
-// FUNCTION: compute, detect, oriented, recount, exact, houghlines or houghlines-dense.
-// The second call's lines of standard error stand between "warm call begins" and
+// FUNCTION: compute, houghlines, houghlines-dense, or detect with parameters: detect, estimated,
+// oriented, recount, exact, explained, significant, significant-masked, significant-oriented,
+// interval, greedy, blocks, sizes (of an image, of a part of it, and again). The last call's lines of standard error stand between "warm call begins" and
 // "warm call ends", which may stand in the middle of a line of another thread.
 
 #include <opencv2/core/ocl.hpp>
@@ -63,17 +64,35 @@ int main(int argc, char** argv)
     }
     if (function == "exact")
         detector->setMethod(cv::linespace::METHOD_EXACT);
-    for (int call = 0; call < 2; ++call)
+    else if (function == "explained")
+        detector->setSelection(cv::linespace::SELECT_EXPLAIN);
+    else if (function.find("significant") == 0)
+        detector->setThreshold(0);
+    else if (function == "interval")
+        detector->setAngleRange(-0.5, 0.8);
+    else if (function == "greedy")
+        detector->setSuppression(cv::linespace::SUPPRESS_GREEDY);
+    else if (function == "blocks")
+        detector->setSuppression(cv::linespace::SUPPRESS_BLOCKS);
+    if (function == "significant-masked")
+        detector->setMask(cv::Mat(edges.size(), CV_8UC1, cv::Scalar(1)));
+    // Where pruning was in vain, the second call is the first of whole tables.
+    const int calls = function == "sizes" ? 4 : function.find("significant") == 0 ? 3 : 2;
+    for (int call = 0; call < calls; ++call)
     {
-        std::fprintf(stderr, call == 0 ? "first call begins\n" : "warm call begins\n");
+        std::fprintf(stderr, call < calls - 1 ? "first call begins\n" : "warm call begins\n");
         if (function == "compute")
             detector->compute(input, output);
         else if (function == "houghlines")
             cv::linespace::HoughLines(input, output, 1, CV_PI / 180, 120);
         else if (function == "houghlines-dense")
             cv::linespace::HoughLines(input, output, 1, CV_PI / 1800, 250);
-        else if (function == "oriented")
+        else if (function == "oriented" || function == "significant-oriented")
             detector->detect(input, dx, dy, output);
+        else if (function == "estimated")
+            detector->detect(input, cv::noArray(), cv::noArray(), output);
+        else if (function == "sizes" && call % 2 == 0)
+            detector->detect(input(cv::Rect(0, 0, 600, 400)), output);
         else
             detector->detect(input, output);
     }

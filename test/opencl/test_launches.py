@@ -26,6 +26,11 @@ SAMPLE = ["resetSearch", "searchMaxima", "chooseLeast"]  # of the first image
 PACKING = ["packColumns", "packRows"]
 ROUND = ["wantNeighbours", "countWanted", "markCounted", "takeSteps"]
 ASCENT = PACKING + ["clearMarks"] + 4 * ROUND + ["climbOn"]
+# Blocking reads of a warm call. With `explained`, `greedy` and `blocks` the host has the edge map.
+READS = {"compute": 0, "detect": 2, "estimated": 2, "oriented": 2, "recount": 2, "exact": 2,
+         "explained": 2, "significant": 2, "significant-masked": 2, "significant-oriented": 2,
+         "interval": 2, "greedy": 2, "blocks": 2, "sizes": 2, "houghlines": 2,
+         "houghlines-dense": 2}
 COUNTED_LINES = ["countPixels", "writePixels", "countVotes", "writeLines"] + 2 * ["scanCounts"]
 
 
@@ -77,8 +82,7 @@ class Launches(unittest.TestCase):
     def setUpClass(cls):
         cls.caches = tempfile.TemporaryDirectory()
         cls.accounts = {function: Account(function, cls.caches.name)
-                        for function in ("compute", "detect", "oriented", "recount", "exact",
-                                         "houghlines", "houghlines-dense")}
+                        for function in READS}
 
     @classmethod
     def tearDownClass(cls):
@@ -128,9 +132,10 @@ class Launches(unittest.TestCase):
         self.assertEqual(merges % CALLS, 0)
 
     def test_a_warm_call_builds_and_allocates_nothing(self):
+        first = self.accounts["compute"]
+        self.assertGreater(first.builds(first.log), 0)
         for function, account in self.accounts.items():
             with self.subTest(function):
-                self.assertGreater(account.builds(account.log), 0)
                 self.assertGreater(account.largest_buffer(account.log), 10000)
                 self.assertEqual(account.builds(account.warm), 0)
                 self.assertLess(account.largest_buffer(account.warm), 10000)
@@ -139,12 +144,7 @@ class Launches(unittest.TestCase):
         reads = {function: account.blocking_reads(account.warm)
                  for function, account in self.accounts.items()}
         print("blocking reads of a warm call:", reads)
-        self.assertEqual(reads["compute"], 0)
-        self.assertLessEqual(reads["detect"], 2)
-        self.assertLessEqual(reads["recount"], 2)
-        self.assertLessEqual(reads["exact"], 2)
-        self.assertLessEqual(reads["houghlines"], 2)
-        self.assertLessEqual(reads["houghlines-dense"], 2)
+        self.assertEqual(reads, READS)
 
     def test_the_second_start_builds_nothing(self):
         for function in ("compute", "detect"):

@@ -83,8 +83,7 @@ private:
 void climbToMaxima(const Cell& frame, int radius, VoteSquares& squares,
                    std::vector<Candidate>& candidates)
 {
-    // On a ring of fewer points a neighbourhood would meet itself.
-    radius = std::min(radius, (frame.borderCount() - 1) / 2);
+    radius = mostRadius(frame, radius);
     candidates = Ascent(radius, squares).run(candidates);
     std::sort(candidates.begin(), candidates.end(), isStronger);
 }

@@ -128,6 +128,19 @@ struct CountedVotes
     }
 };
 
+//! The least of any bin.
+std::vector<int> leastOfBins(const std::vector<std::vector<int>>& votes)
+{
+    std::vector<int> least;
+    for (size_t bin = 0; bin < votes.size(); ++bin)
+        if (bin == 0)
+            least = votes[bin];
+        else
+            for (size_t length = 0; length < least.size(); ++length)
+                least[length] = std::min(least[length], votes[bin][length]);
+    return least;
+}
+
 } // namespace
 
 int BundleSearch::baseLevel(const Plan& plan, bool weighted)
@@ -228,6 +241,7 @@ void BundleSearch::setLeast(const Plan& plan, const Wanted& wanted, int radius)
     const BundleLevel& last = levels_[top_];
     const Cell &coarse = last.coarse, &frame = plan.frame();
     least_.resize(wanted.leastVotes.empty() ? 0 : last.bundleCount());
+    const std::vector<int> leastVotes = leastOfBins(wanted.leastVotes);
     if (!least_.empty())
         forRows(last,
                 [&](const Range& rows)
@@ -246,7 +260,7 @@ void BundleSearch::setLeast(const Plan& plan, const Wanted& wanted, int radius)
                                 BUNDLE_SIDE * s, frame.firstPoint(side), BUNDLE_SIDE, count,
                                 BUNDLE_SIDE - 1 + std::max(radius, 1), lengths.data());
                             for (int i = 0; i < count; ++i)
-                                *least++ = (ushort)std::min<int>(wanted.leastVotes[lengths[i]],
+                                *least++ = (ushort)std::min<int>(leastVotes[lengths[i]],
                                                                  BundleLevel::NOT_NEEDED);
                         }
                     }

@@ -87,17 +87,6 @@ class CpuExecutor : public Executor
 public:
     int backend() const CV_OVERRIDE { return BACKEND_CPU; }
 
-    void clear() CV_OVERRIDE
-    {
-        chords_.clear();
-        frame_.release();
-        directionFrame_.release();
-        offsets_.clear();
-        transposed_.release();
-        directionsTransposed_.release();
-        edgePlanes_.clear();
-    }
-
     void firstCells(const EdgeMap& edges, const Plan& plan, VoteTable& table) CV_OVERRIDE
     {
         const Cell cell = plan.level(0).cell;

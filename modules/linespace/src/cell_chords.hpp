@@ -46,7 +46,6 @@ public:
                 listPixels(i, &pixels_[i * (longest() + 1)]);
         }
     }
-    void clear() { *this = CellChords(); }
 
     size_t count() const { return chords_.size(); }
     size_t indexOf(size_t i) const

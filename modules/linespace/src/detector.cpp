@@ -5,6 +5,7 @@
 // The public detector: checks arguments, keeps parameters, chooses the back end and calls the
 // stages in order. No mathematics of its own.
 
+#include "angle_ends.hpp"
 #include "ascent.hpp"
 #include "backends.hpp"
 #include "bundles.hpp"
@@ -85,7 +86,7 @@ public:
         Counting counting;
         EdgeMap map;
         Size size;
-        counting.executor = executorFor(BACKEND_OPENGL, false, executor_);
+        counting.executor = executorFor(BACKEND_OPENGL, false, executors_[BACKEND_OPENGL]);
         try
         {
             {
@@ -221,7 +222,8 @@ public:
     void clear() CV_OVERRIDE
     {
         plan_.reset();
-        executor_.reset();
+        for (Ptr<Executor>& executor : executors_)
+            executor.reset();
         images_ = Images();
         maskOnDevice_.release();
         tables_.release();
@@ -230,10 +232,12 @@ public:
         left_.clear();
         bits_.clear();
         squares_.clear();
+        angleEnds_ = AngleEnds();
+        longList_ = std::pair<Size, int>();
         deviations_.clear();
         stageTimes_ = StageTimes();
         activeBackend_ = -1;
-        failedSize_ = Size();
+        failedSizes_.clear();
     }
     String getDefaultName() const CV_OVERRIDE
     {
@@ -333,6 +337,7 @@ private:
     struct Images
     {
         Mat votes, masked, directions;
+        OrientedPixels oriented;
         EstimatedGradients estimated;
     };
 
@@ -358,9 +363,9 @@ private:
         plan_ = counting.plan;
         planMethod_ = parameters_.method;
         planCellSize_ = parameters_.cellSize;
-        executor_ = counting.executor;
+        activeBackend_ = counting.executor->backend();
+        executors_[activeBackend_] = counting.executor;
         stageTimes_ = counting.times;
-        activeBackend_ = executor_->backend();
     }
 
     /** Checks the input and makes the plan and what an edge map has on a device.
@@ -371,7 +376,8 @@ private:
         checkImage(input.edges, "edges");
         prepare("edges", input.edges.size(), input.gradients, level, writesTable, edges, counting);
         edges.source = onDevice(input.edges);
-        if (edges.source.empty() || mask_.empty())
+        if (edges.source.empty() || mask_.empty() ||
+            chosenBackend(parameters_.backend, true) != BACKEND_OPENCL)
             return;
         void* const context = ocl::Context::getDefault().ptr();
         if (maskOnDevice_.empty() || maskContext_ != context)
@@ -410,7 +416,7 @@ private:
     }
 
     //! Brings the edge map to the host, if it is not there.
-    void readEdges(const Input& input, EdgeMap& edges, const Executor& executor, Counting& counting)
+    void readEdges(const Input& input, EdgeMap& edges, Executor& executor, Counting& counting)
     {
         if (!edges.votes.empty())
             return;
@@ -420,20 +426,40 @@ private:
             return;
         }
         const Gradients& gradients = input.gradients;
-        edges.votes = votingPixels(input.edges.getMat());
-        if (gradients.isOriented)
+        if (!edges.directionsOnDevice.empty() && executor.takesUMats())
+            readOriented(gradients, edges, executor, counting);
+        else
         {
-            if (!edges.directionsOnDevice.empty())
-                edges.directionsOnDevice.copyTo(images_.directions);
-            else
-                gradients.findBits(edges.votes, parameters_.orientationTolerance, images_.estimated,
-                                   images_.directions);
-            edges.directions = images_.directions;
-            edges.isEstimated = gradients.areEstimated();
-            edges.dx = gradients.dx;
-            edges.dy = gradients.dy;
+            edges.votes = votingPixels(input.edges.getMat());
+            if (gradients.isOriented)
+            {
+                const Gradients read = gradients.onHost();
+                if (gradients.areOnDevice())
+                    read.check(edges.votes.size());
+                read.findBits(edges.votes, parameters_.orientationTolerance, images_.estimated,
+                              images_.directions);
+                edges.directions = images_.directions;
+                edges.dx = read.dx;
+                edges.dy = read.dy;
+            }
         }
+        edges.isEstimated = gradients.areEstimated();
         counting.times.end("edge map");
+    }
+
+    void readOriented(const Gradients& gradients, EdgeMap& edges, Executor& executor,
+                      const Counting& counting)
+    {
+        const bool readsGradients = parameters_.refine != REFINE_NONE;
+        OrientedPixels& pixels = images_.oriented;
+        executor.readOriented(edges, *counting.plan, readsGradients ? gradients.dxOnDevice : UMat(),
+                              readsGradients ? gradients.dyOnDevice : UMat(), pixels);
+        if (!pixels.areFinite)
+            gradients.onHost().check(pixels.votes.size()); // tells which one is not
+        edges.votes = pixels.votes;
+        edges.directions = pixels.directions;
+        edges.dx = pixels.dx;
+        edges.dy = pixels.dy;
     }
 
     //! From the executor that took the map, which is not at work if another one is in its place.
@@ -477,23 +503,30 @@ private:
     void runWith(bool isUMat, Counting& counting, Work work)
     {
         const Size size = counting.plan->imageSize();
-        const bool avoidsDevice = parameters_.backend == BACKEND_AUTO &&
-                                  getDefaultBackend() == BACKEND_AUTO && failedSize_ == size;
+        const bool avoidsDevice =
+            parameters_.backend == BACKEND_AUTO && getDefaultBackend() == BACKEND_AUTO &&
+            std::find(failedSizes_.begin(), failedSizes_.end(), size) != failedSizes_.end();
         if (!counting.executor)
-            counting.executor = executorFor(avoidsDevice ? (int)BACKEND_CPU : parameters_.backend,
-                                            isUMat, executor_);
+        {
+            const int backend = avoidsDevice ? (int)BACKEND_CPU : parameters_.backend;
+            counting.executor =
+                executorFor(backend, isUMat, executors_[chosenBackend(backend, isUMat)]);
+        }
         const Ptr<Executor> first = counting.executor;
         counting.executor = runOn(parameters_.backend, counting.executor,
                                   [&](Executor& executor)
                                   {
-                                      if (&executor != executor_.get()) // tables of another device
+                                      // Tables of another device.
+                                      if (&executor != executors_[executor.backend()].get())
                                           tables_.release();
                                       if (&executor != first.get()) // which failed
                                           counting.times.restart();
                                       work(executor);
                                   });
-        if (counting.executor != first)
-            failedSize_ = size;
+        if (counting.executor == first)
+            return;
+        failedSizes_.push_back(size);
+        executors_[first->backend()].reset();
     }
 
     //! The image, or 1 where it is not 0, under the mask.
@@ -604,11 +637,10 @@ private:
                (parameters_.threshold > 0 || !parameters_.edgeWeights);
     }
 
-    //! Whether the statistical rule has its pixels counted on the host.
+    //! Whether the statistical rule asks first how many pixels vote.
     bool countsPixels(const EdgeMap& edges) const
     {
-        return parameters_.threshold == 0 && edges.voters < 0 &&
-               (edges.source.empty() || !mask_.empty());
+        return parameters_.threshold == 0 && edges.voters < 0;
     }
 
     //! The directions of a map that is on the device, for an executor that works there.
@@ -624,8 +656,7 @@ private:
     }
 
     //! Copies of the edge map for all that counts and refines on the host.
-    void readPlanes(const Input& input, EdgeMap& edges, const Executor& executor,
-                    Counting& counting)
+    void readPlanes(const Input& input, EdgeMap& edges, Executor& executor, Counting& counting)
     {
         readEdges(input, edges, executor, counting);
         planes_.reset(edges, counting.plan->frame());
@@ -641,8 +672,14 @@ private:
                 {
                     findDirections(executor, input, plan, edges);
                     bool stays = staysOnDevice(input, edges, executor);
-                    if (!stays || !isOnDevice(edges, executor, counting) || countsPixels(edges))
+                    if (!stays || !isOnDevice(edges, executor, counting))
                         readEdges(input, edges, executor, counting);
+                    bool hasBits = stays && countsPixels(edges) && edges.votes.empty();
+                    if (hasBits)
+                    {
+                        executor.readBits(edges, plan, bits_);
+                        edges.voters = bits_.count();
+                    }
                     const Requirement requirement = requirementFor(edges, plan);
                     if (requirement.threshold == INT_MAX)
                         return;
@@ -671,19 +708,13 @@ private:
                              [&](const Candidate& candidate)
                              {
                                  return !requirement.isMet(planes_, plan, candidate) ||
-                                        !isInInterval(plan.frame(), angles, candidate);
+                                        !isInInterval(plan.frame(), angles, candidate.chord());
                              });
-                    const bool hasBits = stays && parameters_.refine != REFINE_NONE;
-                    if (hasBits && !candidates.empty())
-                        executor.readBits(bits_);
-                    if (input.gradients.areOnDevice() && parameters_.refine != REFINE_NONE)
-                    {
-                        const Gradients read = input.gradients.onHost();
-                        edges.dx = read.dx;
-                        edges.dy = read.dy;
-                    }
+                    const bool readsBits = stays && parameters_.refine != REFINE_NONE;
+                    if (readsBits && !hasBits && !candidates.empty())
+                        executor.readBits(edges, plan, bits_);
                     const std::vector<Selected> chosen =
-                        select(edges, plan, requirement, angles, candidates, hasBits);
+                        select(edges, plan, requirement, angles, candidates, readsBits);
                     lines.clear();
                     deviations.clear();
                     for (size_t i = 0; i < chosen.size(); ++i)
@@ -762,10 +793,12 @@ private:
             wanted.accepts = [&](const Candidate& candidate)
             {
                 return requirement.canBeMet(plan, candidate, ratio) &&
-                       isInInterval(frame, angles, candidate);
+                       isInInterval(frame, angles, candidate.chord());
             };
         wanted.leastVotes = requirement.leastVotes(ratio);
-        wanted.leastVotesDecide = requirement.pixels.size() <= 1 && angles.isFull();
+        const bool isDevice =
+            executor.backend() == BACKEND_OPENCL || executor.backend() == BACKEND_OPENGL;
+        wanted.ends = isDevice && !angles.isFull() ? &angleEnds_.of(frame, angles) : 0;
         const int last = plan.levelCount() - 1, radius = parameters_.suppressionRadius;
         const int climbingRadius = candidatesClimb() ? -1 : radius;
         std::vector<Candidate> found;
@@ -795,11 +828,11 @@ private:
             mergeVotes(executor, edges, plan, counting.level, last, tables_, counting.times);
         }
         VoteTable& table = tables_.of(last);
-        if (parameters_.suppression == SUPPRESS_RING &&
-            executor.findMaxima(edges, plan, table, wanted, climbingRadius, ascent, found,
-                                areCounted))
+        const bool isGreedy = parameters_.suppression == SUPPRESS_GREEDY;
+        if (!isGreedy && executor.findMaxima(edges, plan, table, wanted, parameters_.suppression,
+                                             climbingRadius, ascent, found, areCounted))
             sortOut(found);
-        else
+        else if (!(isGreedy && suppressGreedily(executor, edges, plan, wanted, found)))
         {
             executor.fetch(table);
             found = candidatesClimb()
@@ -809,6 +842,33 @@ private:
         executor.settleTimes(counting.times);
         counting.times.end("candidates");
         return found;
+    }
+
+    /** What one chord keeps depends on all stronger ones: by the host, from those that the device finds
+    above the threshold. Returns false if it finds none, or so many that they are hardly fewer bytes
+    than its table, which is not tried again with the next image. */
+    bool suppressGreedily(Executor& executor, const EdgeMap& edges, const Plan& plan,
+                          const Wanted& wanted, std::vector<Candidate>& found)
+    {
+        const std::pair<Size, int> key(plan.imageSize(), wanted.threshold);
+        if (longList_ == key)
+            return false;
+        Wanted all;
+        all.threshold = wanted.threshold;
+        all.most = plan.frame().chordCount() / 8;
+        all.ends = 0;
+        std::vector<Candidate> above;
+        bool areCounted = false;
+        if (!executor.findMaxima(edges, plan, tables_.of(plan.levelCount() - 1), all, SUPPRESS_RING,
+                                 0, -1, above, areCounted))
+            return false;
+        if (above.size() == all.most)
+        {
+            longList_ = key;
+            return false;
+        }
+        found = greedyCandidates(above, plan.frame(), wanted, parameters_.suppressionRadius);
+        return true;
     }
 
     std::vector<Selected> select(const EdgeMap& edges, const Plan& plan,
@@ -851,15 +911,6 @@ private:
         return parameters_.method == METHOD_EXACT
                    ? 0
                    : std::min<int>(parameters_.suppressionRadius, MAX_ASCENT_RADIUS);
-    }
-
-    static bool isInInterval(const Cell& frame, const AngleInterval& angles,
-                             const Candidate& candidate)
-    {
-        if (angles.isFull())
-            return true;
-        Line line = lineOf(frame, candidate.chord());
-        return angles.represent(line);
     }
 
     //! Counts candidates of the cascade exactly, or lets them climb (section 4.2).
@@ -909,15 +960,17 @@ private:
     void* maskContext_; // of OpenCL, where it is
     Ptr<const Plan> plan_;
     int planMethod_, planCellSize_;
-    Ptr<Executor> executor_;
+    Ptr<Executor> executors_[BACKEND_OPENGL + 1]; // by back end, of those that were used
     int activeBackend_;
-    Size failedSize_; // of images for which a device failed: it is not tried again and again
+    std::vector<Size> failedSizes_; // for which a device failed: it is not tried again and again
     Images images_;
     VoteTables tables_;
     BundleSearch bundles_;
     EdgePlanes planes_, left_; // left_: see selectLines
     EdgeBits bits_;            // in their place, where the map stays on a device
     VoteSquares squares_;
+    AngleEnds angleEnds_;
+    std::pair<Size, int> longList_; // size and threshold: see suppressGreedily
     std::vector<Vec3f> deviations_; // of the lines of the last detect
     StageTimes stageTimes_;         // of the last call
 };

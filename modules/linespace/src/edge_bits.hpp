@@ -44,6 +44,17 @@ public:
     }
     void clear() { std::vector<unsigned>().swap(words_); }
 
+    //! How many edge pixels there are.
+    int count() const
+    {
+        int pixels = 0; // of one axis
+        for (int x = 0; x < frame_.width; ++x)
+            for (int y = 0; y < frame_.height; y += 16)
+                for (int bits = at(true, x, y); bits; bits &= bits - 1)
+                    ++pixels;
+        return pixels;
+    }
+
     /** Pixels of one column: bit b is that of pixel k + b, b < 16.
     @param column along the major axis.
     @param k at least -64, at most the number of pixels across. */

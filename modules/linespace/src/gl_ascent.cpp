@@ -66,8 +66,7 @@ bool GlAscent::count(GlDevice& device, int radius, const GlBuffer& candidates, i
 {
     const Cell& frame = pixels_.frame;
     const GlLimits& limits = device.limits();
-    // On a ring of fewer points a neighbourhood would meet itself.
-    radius = std::min(radius, (frame.borderCount() - 1) / 2);
+    radius = mostRadius(frame, radius);
     const double bitBytes = EdgeBits::wordsOf(frame) * sizeof(uint);
     const bool hasBits = !isWeighted_ && !pixels_.directions && bitBytes <= limits.blockBytes;
     const auto mapOptions = [&](int block)

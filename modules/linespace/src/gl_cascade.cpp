@@ -69,7 +69,6 @@ public:
         device_->stamp();
     }
     void end() CV_OVERRIDE { device_->end(); }
-    void clear() CV_OVERRIDE { release(); }
 
     void endStage(const String& name, StageTimes& times) CV_OVERRIDE
     {
@@ -182,7 +181,7 @@ public:
     }
 
     bool findMaxima(const EdgeMap& edges, const Plan& plan, const VoteTable& table,
-                    const Wanted& wanted, int radius, int ascentRadius,
+                    const Wanted& wanted, int suppression, int radius, int ascentRadius,
                     std::vector<Candidate>& found, bool& areCounted) CV_OVERRIDE
     {
         bool isDone = false;
@@ -194,14 +193,18 @@ public:
             if (ascentRadius >= 0)
                 isDone = ascent_.count(*device_, ascentRadius, candidates, room, goesOn);
         };
-        if (!maxima_.find(*device_, edges, plan, bufferOf(table), wanted, radius, count, found))
+        if (!maxima_.find(*device_, edges, plan, bufferOf(table), wanted, suppression, radius,
+                          count, found))
             return false;
         areCounted = areCounted || isDone;
         return true;
     }
 
     bool readsBits(const EdgeMap& edges) const CV_OVERRIDE { return !edges.isOriented(); }
-    void readBits(EdgeBits& bits) CV_OVERRIDE { ascent_.readBits(*device_, bits); }
+    void readBits(const EdgeMap&, const Plan&, EdgeBits& bits) CV_OVERRIDE
+    {
+        ascent_.readBits(*device_, bits);
+    }
 
     void rescore(const EdgeMap& edges, const Plan& plan, const std::vector<Chord>& chords,
                  std::vector<int>& votes) CV_OVERRIDE

@@ -41,7 +41,7 @@ void GlMaxima::release()
 }
 
 bool GlMaxima::find(GlDevice& device, const EdgeMap& edges, const Plan& plan, const GlBuffer& table,
-                    const Wanted& wanted, int radius,
+                    const Wanted& wanted, int suppression, int radius,
                     const std::function<void(const GlBuffer&, int, bool)>& count,
                     std::vector<Candidate>& found)
 {
@@ -51,7 +51,7 @@ bool GlMaxima::find(GlDevice& device, const EdgeMap& edges, const Plan& plan, co
     const bool isRequired = !wanted.leastVotes.empty();
     const size_t windows =
         (tableBytes + device.limits().blockBytes - 1) / device.limits().blockBytes;
-    if ((wanted.accepts && !wanted.leastVotesDecide) ||
+    if (wanted.leastVotes.size() > 1 || wanted.ends ||
         (int)windows + (isRequired ? 3 : 2) > device.limits().blocks)
         return false;
     const int chords = (int)frame.chordCount(), tiles = chords / TILE + (chords % TILE > 0);
@@ -66,13 +66,14 @@ bool GlMaxima::find(GlDevice& device, const EdgeMap& edges, const Plan& plan, co
     device.allocate(state_, stateBytes);
     device.allocate(masks_, maskBytes);
     if (isRequired)
-        device.upload(wanted.leastVotes, leastVotes_);
+        device.upload(wanted.leastVotes.front(), leastVotes_);
 
-    // On a ring of fewer points a neighbourhood would meet itself.
+    radius = mostRadius(frame, radius);
     const std::string tableOptions = windowOptions(device.limits(), tableBytes),
                       searchOptions =
-                          define("SEARCH") + tableOptions +
-                          define("RADIUS", std::min(radius, (frame.borderCount() - 1) / 2)) +
+                          define("SEARCH") + tableOptions + define("RADIUS", radius) +
+                          (suppression == SUPPRESS_BLOCKS ? define("SQUARE", blockSide(radius))
+                                                          : std::string()) +
                           (isRequired ? define("REQUIRED") : std::string());
     const auto numbers = [&](int fifth, int sixth, int seventh)
     {

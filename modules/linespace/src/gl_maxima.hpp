@@ -28,7 +28,7 @@ public:
     @return false if it is asked for those that the requirement of several directions or an interval
     of angles leaves, or if the table or the maxima are too large for the device's blocks. */
     bool find(GlDevice& device, const EdgeMap& edges, const Plan& plan, const GlBuffer& table,
-              const Wanted& wanted, int radius,
+              const Wanted& wanted, int suppression, int radius,
               const std::function<void(const GlBuffer&, int, bool)>& count,
               std::vector<Candidate>& found);
     void release();

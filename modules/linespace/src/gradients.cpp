@@ -117,12 +117,7 @@ void Gradients::check(Size size) const
 void Gradients::findBits(const Mat& votes, double tolerance, EstimatedGradients& estimated,
                          Mat& bits) const
 {
-    if (areOnDevice())
-    {
-        const Gradients read = onHost();
-        read.check(votes.size());
-        return read.findBits(votes, tolerance, estimated, bits);
-    }
+    CV_DbgAssert(!areOnDevice());
     if (!dx.empty())
         return directionBits(votes, dx, dy, tolerance, bits);
     estimateGradients(votes, estimated);

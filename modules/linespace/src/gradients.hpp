@@ -32,7 +32,8 @@ struct Gradients
     /** Throws unless both are empty, or both of this size, of one of the two types, and finite;
     those on the device are looked at when their directions are found. */
     void check(Size size) const;
-    //! The directions that pixels vote for (directionBits), tolerance in degrees.
+    //! The directions that pixels vote for (directionBits), tolerance in degrees, of gradients on the
+    //! host.
     void findBits(const Mat& votes, double tolerance, EstimatedGradients& estimated,
                   Mat& bits) const;
 };

@@ -67,8 +67,7 @@ void DeviceAscent::pack()
 void DeviceAscent::count(int radius, const UMat& candidates, int room)
 {
     checkRasters(frame_);
-    // On a ring of fewer points a neighbourhood would meet itself.
-    radius = std::min(radius, (frame_.borderCount() - 1) / 2);
+    radius = mostRadius(frame_, radius);
     const int pixels = std::max(frame_.width, frame_.height);
     const bool hasBits = !isWeighted_ && pixels <= MOST_PIXELS_OF_LANES;
     if (hasBits)

@@ -31,6 +31,9 @@ public:
     @param room how many there may be. */
     void count(int radius, const UMat& candidates, int room);
 
+    bool hasPixels() const { return !pixels_.image.empty(); }
+    const DevicePixels& pixels() const { return pixels_; }
+
     //! Reads the pixels, of a map that is not oriented.
     void readBits(EdgeBits& bits);
 

@@ -16,6 +16,8 @@
 #include "ocl_maxima.hpp"
 #include "ocl_pruning.hpp"
 
+#include <list>
+
 namespace cv {
 namespace linespace {
 
@@ -69,10 +71,49 @@ std::vector<BorderRow> rowsOf(const Cell& cell)
     return rows;
 }
 
+//! What the device needs to know of a level of the plan.
+struct LevelTables
+{
+    bool isReady; //!< but for the next two
+    bool knowsCells;
+    UMat rowBits, columnBits; //!< Plan::cellOrder
+    UMat segments, rows;
+    int longestRow, rowCount;
+
+    LevelTables() : isReady(false), knowsCells(false), longestRow(0), rowCount(0) {}
+    void setSize(const std::vector<BorderRow>& borderRows)
+    {
+        rowCount = (int)borderRows.size();
+        for (int s = 0; s < rowCount; ++s)
+            longestRow = std::max(longestRow, borderRows[s].count);
+        isReady = true;
+    }
+};
+
+//! What is kept of a plan between calls.
+struct PlanTables
+{
+    typedef Vec<int, 5> Key; //!< what tells plans apart
+    Key key;
+    bool knowsCells;
+    UMat corners, pixels, starts, bins; //!< of cells and chords of level 0, if it does
+    std::vector<LevelTables> levels;
+    DevicePruning pruning;
+    DeviceMaxima maxima;
+
+    PlanTables() : knowsCells(false) {}
+    static Key keyOf(const Plan& plan)
+    {
+        const Cell& cell = plan.level(0).cell;
+        return Key(plan.imageSize().width, plan.imageSize().height, cell.width, cell.height,
+                   plan.levelCount());
+    }
+};
+
 class OpenClExecutor : public Executor
 {
 public:
-    OpenClExecutor() : context_(ocl::Context::getDefault().ptr()), knowsCells_(false) {}
+    OpenClExecutor() : context_(ocl::Context::getDefault().ptr()) {}
 
     int backend() const CV_OVERRIDE { return BACKEND_OPENCL; }
 
@@ -81,8 +122,6 @@ public:
     bool takesUMats() const CV_OVERRIDE { return true; }
 
     void end() CV_OVERRIDE { ascent_.reset(DevicePixels(), false, Cell()); }
-
-    void clear() CV_OVERRIDE { *this = OpenClExecutor(); }
 
     void allocate(const Level& level, int depth, VoteTable& table) CV_OVERRIDE
     {
@@ -97,7 +136,7 @@ public:
         prepare(plan);
         const Level& level = plan.level(0);
         const int pixels = level.cell.width * level.cell.height, cells = (int)table.cells;
-        if (!knowsCells_)
+        if (!planTables().knowsCells)
             listCells(plan);
         const DevicePixels votes = takePixels(edges, plan);
         allocateOn(gathered_, (size_t)pixels * cells);
@@ -107,7 +146,7 @@ public:
                       format("-D FIRST_CELLS -D PARENT=uchar -D CELLS=%d", byPieces ? 16 : 1) +
                           votes.options);
         votes.giveTo(gather);
-        gather.with(in(corners_), cells, pixels, level.cell.width, out(gathered_));
+        gather.with(in(planTables().corners), cells, pixels, level.cell.width, out(gathered_));
         if (byPieces)
             gather.run(cells / together, (level.cell.width + 7) / 8 * level.cell.height);
         else
@@ -116,8 +155,8 @@ public:
         {
             allocateOn(gatheredDirections_, (size_t)pixels * cells * sizeof(ushort));
             Launch(CASCADE_PROGRAM, "gatherDirections", "-D FIRST_CELLS -D PARENT=uchar -D CELLS=1")
-                .with(ocl::KernelArg::ReadOnly(votes.directions), in(corners_), cells, pixels,
-                      level.cell.width, out(gatheredDirections_))
+                .with(ocl::KernelArg::ReadOnly(votes.directions), in(planTables().corners), cells,
+                      pixels, level.cell.width, out(gatheredDirections_))
                 .run(cells, pixels);
         }
         Launch first(
@@ -126,8 +165,10 @@ public:
                 (edges.isOriented() ? " -D ORIENTED" : ""));
         first.with(in(gathered_));
         if (edges.isOriented())
-            first.with(in(gatheredDirections_), in(bins_));
-        first.with(in(pixels_), in(starts_), cells, (int)table.chords, out(table.device))
+            first.with(in(gatheredDirections_), in(planTables().bins));
+        first
+            .with(in(planTables().pixels), in(planTables().starts), cells, (int)table.chords,
+                  out(table.device))
             .run(cells / together, table.chords);
     }
 
@@ -150,7 +191,7 @@ public:
         prepare(plan);
         const Cell& frame = plan.frame();
         checkRasters(frame);
-        LevelTables& level = levels_[0];
+        LevelTables& level = planTables().levels[0];
         if (!level.isReady)
         {
             const std::vector<BorderRow> rows = rowsOf(frame);
@@ -168,13 +209,11 @@ public:
     }
 
     bool findMaxima(const EdgeMap& edges, const Plan& plan, const VoteTable& table,
-                    const Wanted& wanted, int radius, int ascentRadius,
+                    const Wanted& wanted, int suppression, int radius, int ascentRadius,
                     std::vector<Candidate>& found, bool& areCounted) CV_OVERRIDE
     {
-        if (!DeviceMaxima::canFind(wanted))
-            return false;
-        maxima_.find(edges, plan, table, wanted, radius, 0, counting(ascentRadius, areCounted),
-                     found);
+        planTables().maxima.find(edges, plan, table, wanted, suppression, radius, 0,
+                                 counting(ascentRadius, areCounted), found);
         return true;
     }
 
@@ -182,15 +221,13 @@ public:
     {
         prepare(plan);
         const int base = DevicePruning::baseLevel(plan, weighted);
-        return base >= 0 && pruning_.isWorthATry() ? base : -1;
+        return base >= 0 && planTables().pruning.isWorthATry() ? base : -1;
     }
 
     bool findMaximaPruned(const EdgeMap& edges, const Plan& plan, int base, VoteTables& tables,
                           const Wanted& wanted, int radius, int ascentRadius,
                           std::vector<Candidate>& found, bool& areCounted) CV_OVERRIDE
     {
-        if (!DeviceMaxima::canFind(wanted))
-            return false;
         prepare(plan);
         const VoteTable& whole = tables.of(base);
         std::vector<DevicePruning::Votes> above;
@@ -210,23 +247,24 @@ public:
             allocateOn(between_, plan.level(l).tableSize() * own.depth);
             above.back().table = between_;
         }
-        pruning_.bound(plan, base, whole);
+        planTables().pruning.bound(plan, base, whole);
         PrunedVotes pruned;
         pruned.block = DevicePruning::BLOCK;
         pruned.count = [&](int cut, int sample)
         {
-            pruning_.count(whole, above, cut, sample);
+            planTables().pruning.count(whole, above, cut, sample);
         };
         pruned.needed = [&]()
         {
-            return pruning_.needed();
+            return planTables().pruning.needed();
         };
         pruned.learn = [&](int count)
         {
-            pruning_.learn(count);
+            planTables().pruning.learn(count);
         };
-        maxima_.find(edges, plan, tables.of(plan.levelCount() - 1), wanted, radius, &pruned,
-                     counting(ascentRadius, areCounted), found);
+        planTables().maxima.find(edges, plan, tables.of(plan.levelCount() - 1), wanted,
+                                 SUPPRESS_RING, radius, &pruned, counting(ascentRadius, areCounted),
+                                 found);
         return true;
     }
 
@@ -234,7 +272,12 @@ public:
     {
         return !edges.source.empty() && !edges.isOriented();
     }
-    void readBits(EdgeBits& bits) CV_OVERRIDE { ascent_.readBits(bits); }
+    void readBits(const EdgeMap& edges, const Plan& plan, EdgeBits& bits) CV_OVERRIDE
+    {
+        prepare(plan);
+        takePixels(edges, plan);
+        ascent_.readBits(bits);
+    }
 
     void rescore(const EdgeMap& edges, const Plan& plan, const std::vector<Chord>& chords,
                  std::vector<int>& votes) CV_OVERRIDE
@@ -266,6 +309,13 @@ public:
                           : deviceDirections_.find(votesOf(edges), dx, dy, tolerance);
     }
 
+    void readOriented(const EdgeMap& edges, const Plan& plan, const UMat& dx, const UMat& dy,
+                      OrientedPixels& pixels) CV_OVERRIDE
+    {
+        prepare(plan);
+        deviceDirections_.read(votesOf(edges), dx, dy, pixels);
+    }
+
     bool countGridLines(const EdgeMap& edges, const Plan& plan, const HoughGrid& grid,
                         int threshold, std::vector<GridLine>& found) CV_OVERRIDE
     {
@@ -279,7 +329,7 @@ public:
     void writeTable(const Plan& plan, int l, const VoteTable& table, const UMat& out) CV_OVERRIDE
     {
         prepare(plan);
-        LevelTables& level = levels_[l];
+        LevelTables& level = planTables().levels[l];
         if (!level.knowsCells)
         {
             std::vector<int> rowBits, columnBits;
@@ -304,27 +354,10 @@ public:
 private:
     enum
     {
-        MOST_TOGETHER = 16 //!< cells of a work item
+        MOST_TOGETHER = 16, //!< cells of a work item
+        MOST_PLANS = 4      //!< whose tables are kept: of cameras, or steps of a pyramid, in turns
     };
 
-    //! What the device needs to know of a level of the plan.
-    struct LevelTables
-    {
-        bool isReady; //!< but for the next two
-        bool knowsCells;
-        UMat rowBits, columnBits; //!< Plan::cellOrder
-        UMat segments, rows;
-        int longestRow, rowCount;
-
-        LevelTables() : isReady(false), knowsCells(false), longestRow(0), rowCount(0) {}
-        void setSize(const std::vector<BorderRow>& borderRows)
-        {
-            rowCount = (int)borderRows.size();
-            for (int s = 0; s < rowCount; ++s)
-                longestRow = std::max(longestRow, borderRows[s].count);
-            isReady = true;
-        }
-    };
     //! Consecutive chords that a work item merges.
     static int chordsPerItem() { return isProcessor() ? 64 : 1; }
 
@@ -340,12 +373,12 @@ private:
         };
     }
 
-    //! The pixels of a map that is to be counted.
+    //! The pixels of the map of this call, which is kept for what reads them again.
     DevicePixels takePixels(const EdgeMap& edges, const Plan& plan)
     {
-        const DevicePixels pixels = votesOf(edges);
-        ascent_.reset(pixels, edges.weighted, plan.frame());
-        return pixels;
+        if (!ascent_.hasPixels())
+            ascent_.reset(votesOf(edges), edges.weighted, plan.frame());
+        return ascent_.pixels();
     }
 
     DevicePixels votesOf(const EdgeMap& edges)
@@ -375,8 +408,8 @@ private:
         return votes;
     }
 
-    /** Forgets what is known of another plan. Each thread has a queue of its own: what another one
-    still has to do with the buffers comes first. */
+    /** Puts the tables of a plan first. Each thread has a queue of its own: what another one still has
+    to do with the buffers comes first. */
     void prepare(const Plan& plan)
     {
         if (queue_.ptr() != ocl::Queue::getDefault().ptr())
@@ -385,20 +418,30 @@ private:
                 queue_.finish();
             queue_ = ocl::Queue::getDefault();
         }
-        const Cell& cell = plan.level(0).cell;
-        const Vec<int, 5> key(plan.imageSize().width, plan.imageSize().height, cell.width,
-                              cell.height, plan.levelCount());
-        if (plan_ == key)
+        const PlanTables::Key key = PlanTables::keyOf(plan);
+        const auto isThis = [&](const PlanTables& tables)
+        {
+            return tables.key == key;
+        };
+        const auto known = std::find_if(plans_.begin(), plans_.end(), isThis);
+        if (known != plans_.end())
+        {
+            plans_.splice(plans_.begin(), plans_, known);
             return;
-        plan_ = key;
-        levels_.assign(plan.levelCount(), LevelTables());
-        knowsCells_ = false;
-        pruning_.reset();
+        }
+        if (plans_.size() == MOST_PLANS)
+            plans_.pop_back();
+        plans_.push_front(PlanTables());
+        plans_.front().key = key;
+        plans_.front().levels.resize(plan.levelCount());
     }
+
+    //! Of the plan that was prepared last.
+    PlanTables& planTables() { return plans_.front(); }
 
     const LevelTables& rowsOfLevel(const Plan& plan, int l)
     {
-        LevelTables& level = levels_[l];
+        LevelTables& level = planTables().levels[l];
         if (!level.isReady)
             listRows(plan.merge(l), level);
         return level;
@@ -408,7 +451,7 @@ private:
     void listCells(const Plan& plan)
     {
         const Level& level = plan.level(0);
-        upload(plan.cellCorners(), corners_);
+        upload(plan.cellCorners(), planTables().corners);
 
         std::vector<ushort> pixels;
         std::vector<int> starts;
@@ -426,10 +469,10 @@ private:
             }
         starts.push_back((int)pixels.size());
         pixels.push_back(0); // cells of one pixel have chords without any
-        upload(pixels, pixels_);
-        upload(starts, starts_);
-        upload(bins, bins_);
-        knowsCells_ = true;
+        upload(pixels, planTables().pixels);
+        upload(starts, planTables().starts);
+        upload(bins, planTables().bins);
+        planTables().knowsCells = true;
     }
 
     static void listRows(const Merge& merge, LevelTables& level)
@@ -449,17 +492,12 @@ private:
     }
 
     void* context_;
-    ocl::Queue queue_; //!< of the thread that worked last
-    Vec<int, 5> plan_; //!< what tells plans apart
-    bool knowsCells_;
-    std::vector<LevelTables> levels_;
-    UMat corners_, pixels_, starts_, bins_; //!< of cells and chords of level 0
-    UMat votes_, directions_;               //!< the edge map, where it was on the host
+    ocl::Queue queue_;            //!< of the thread that worked last
+    std::list<PlanTables> plans_; //!< that used last first
+    UMat votes_, directions_;     //!< the edge map, where it was on the host
     UMat gathered_, gatheredDirections_;
     UMat chords_, sums_; //!< of rescore
     UMat between_;       //!< the table of the last level but one, where it is pruned
-    DevicePruning pruning_;
-    DeviceMaxima maxima_;
     DeviceAscent ascent_;
     DeviceDirections deviceDirections_;
     Ptr<DeviceHoughLines> houghLines_; //!< empty until it is needed

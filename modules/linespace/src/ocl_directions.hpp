@@ -17,15 +17,22 @@ namespace linespace {
 class DeviceDirections
 {
 public:
-    /** As directionBits, of gradients on the device of one of its types. The result is valid until
-    the next call; it is empty if a gradient is not finite. */
+    /** As directionBits, of gradients on the device of one of its types; whether they are finite, read()
+    tells. The result is valid until the next call. */
     UMat find(const DevicePixels& votes, const UMat& dx, const UMat& dy, double tolerance);
 
     //! The same, of gradients that are estimated from the map.
     UMat estimate(const DevicePixels& votes, double tolerance);
 
+    //! Reads what votes with the directions that were found last, and gradients, if they are not
+    //! empty; all at once.
+    void read(const DevicePixels& votes, const UMat& dx, const UMat& dy, OrientedPixels& pixels);
+
 private:
-    UMat bits_, wrong_, slopes_;
+    void clearWrong();
+
+    UMat bits_, slopes_;
+    UMat pixels_; //!< what read() reads; begins with whether a gradient is not finite
 };
 
 } // namespace linespace

@@ -39,7 +39,7 @@ const ocl::ProgramSource& sourceOf(DeviceProgram program)
                                     directions =
                                         joined({chords_oclsrc, pixels_oclsrc, directions_oclsrc}),
                                     houghlines = joined({chords_oclsrc, houghlines_oclsrc}),
-                                    maxima = joined({chords_oclsrc, maxima_oclsrc}),
+                                    maxima = joined({chords_oclsrc, pixels_oclsrc, maxima_oclsrc}),
                                     pruning = joined({chords_oclsrc, pruning_oclsrc}),
                                     table = joined({chords_oclsrc, table_oclsrc});
     switch (program)
@@ -147,9 +147,12 @@ void DevicePixels::giveDirectionsTo(Launch& launch) const
 
 String DevicePixels::directionOptions() const
 {
-    if (directions.empty())
-        return String();
-    String result = format(" -D ORIENTED -D BINS=%d -D END_COSINES=", DIRECTION_BINS);
+    return directions.empty() ? String() : " -D ORIENTED" + directionBinOptions();
+}
+
+String directionBinOptions()
+{
+    String result = format(" -D BINS=%d -D END_COSINES=", DIRECTION_BINS);
     for (int bin = 0; bin < DIRECTION_BINS; ++bin)
         result += format(bin > 0 ? ",%d" : "%d", endCosine(bin));
     return result;

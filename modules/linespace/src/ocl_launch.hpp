@@ -113,6 +113,9 @@ struct DevicePixels
     String directionOptions() const;
 };
 
+//! For kernels that ask for the bin of a chord.
+String directionBinOptions();
+
 /** Whether the device is a processor: a work item takes a run of consecutive chords there, does what
 they share once, and reads on in the lines of its cache; on other devices neighbouring work items
 read neighbouring bytes. */

@@ -36,11 +36,11 @@ static_assert(sizeof(Candidate) == THREE, "votes, s and e, as the device writes 
 } // namespace
 
 void DeviceMaxima::find(const EdgeMap& edges, const Plan& plan, const VoteTable& table,
-                        const Wanted& wanted, int radius, const PrunedVotes* pruned,
+                        const Wanted& wanted, int suppression, int radius,
+                        const PrunedVotes* pruned,
                         const std::function<void(const UMat&, int)>& count,
                         std::vector<Candidate>& found)
 {
-    CV_DbgAssert(canFind(wanted));
     const Cell& frame = plan.frame();
     const Size image = plan.imageSize();
     const int chords = (int)table.chords, runs = (chords + RUN - 1) / RUN;
@@ -53,25 +53,36 @@ void DeviceMaxima::find(const EdgeMap& edges, const Plan& plan, const VoteTable&
     allocateOn(numbers_, NUMBERS * sizeof(int));
     allocateOn(masks_, runs * sizeof(uint));
     allocateOn(counts_, tiles * sizeof(Vec2i));
-    const bool isRequired = !wanted.leastVotes.empty();
-    if (isRequired)
+    const int requiredBins = (int)wanted.leastVotes.size();
+    if (requiredBins > 0)
     {
         checkRasters(frame);
-        upload(wanted.leastVotes, leastVotes_);
+        std::vector<int> leastVotes;
+        for (const std::vector<int>& byLength : wanted.leastVotes)
+            leastVotes.insert(leastVotes.end(), byLength.begin(), byLength.end());
+        upload(leastVotes, leastVotes_);
     }
-    // On a ring of fewer points a neighbourhood would meet itself.
-    const String options =
-        format("-D VOTES=%s -D RADIUS=%d -D GROUP=%d", typeOf(table.depth),
-               std::min(radius, (frame.borderCount() - 1) / 2), (int)Launch::GROUP);
+    if (wanted.ends)
+        upload(*wanted.ends, ends_);
+    radius = mostRadius(frame, radius);
+    String options = format("-D VOTES=%s -D RADIUS=%d -D GROUP=%d", typeOf(table.depth), radius,
+                            (int)Launch::GROUP);
+    if (suppression == SUPPRESS_BLOCKS)
+        options += format(" -D SQUARE=%d", blockSide(radius));
     const auto launch = [&](const char* kernel)
     {
         return Launch(MAXIMA_PROGRAM, kernel, options);
     };
-    const String required = isRequired ? " -D REQUIRED" : "";
+    const String required = String(requiredBins > 0 ? " -D REQUIRED" : "") +
+                            (requiredBins > 1 ? directionBinOptions() : String()) +
+                            (wanted.ends ? " -D INTERVAL" : "");
     const auto require = [&](Launch& search)
     {
-        if (isRequired)
-            search.with(in(leastVotes_), image.width, image.height);
+        if (requiredBins > 0)
+            search.with(in(leastVotes_), (int)wanted.leastVotes.front().size(), image.width,
+                        image.height);
+        if (wanted.ends)
+            search.with(in(ends_));
     };
     const auto searchAbove = [&](int cut, int sample)
     {
@@ -102,9 +113,6 @@ void DeviceMaxima::find(const EdgeMap& edges, const Plan& plan, const VoteTable&
         launch("chooseLeast").with(in(histogram_), bins, rank, inOut(numbers_)).run(1, 1);
     };
 
-    if (size_ != image)
-        usual_ = -1;
-    size_ = image;
     if (isFew && usual_ < 0)
     {
         // Half as many again, as the maxima of strong lines stand together.

@@ -33,20 +33,15 @@ public:
     @param pruned null: all of the table is counted.
     @param count what is to be done with them on the device, with so many at most. */
     void find(const EdgeMap& edges, const Plan& plan, const VoteTable& table, const Wanted& wanted,
-              int radius, const PrunedVotes* pruned,
+              int suppression, int radius, const PrunedVotes* pruned,
               const std::function<void(const UMat&, int)>& count, std::vector<Candidate>& found);
 
-    //! Whether it can; not those that the requirement of several directions or an interval of
-    //! angles leaves.
-    static bool canFind(const Wanted& wanted) { return !wanted.accepts || wanted.leastVotesDecide; }
-
 private:
-    UMat histogram_, numbers_, leastVotes_;
+    UMat histogram_, numbers_, leastVotes_, ends_;
     UMat masks_;  //!< which chords of a run of the table are maxima
     UMat counts_; //!< of maxima of tiles of the table
     UMat maxima_;
-    int room_;  //!< for so many, where all are asked for
-    Size size_; //!< of the last image
+    int room_; //!< for so many, where all are asked for
     //! What cut the last image should have begun with, -1: there was none. The next one of a video
     //! hardly differs; what is found does not depend on it.
     int usual_;

@@ -223,9 +223,7 @@ template<class Votes>
 std::vector<Candidate> blockMaxima(const RingTable<Votes>& table, int rows, int threshold,
                                    int radius)
 {
-    int block = 1;
-    while (block < 2 * radius + 1)
-        block *= 2;
+    const int block = blockSide(radius);
     return collectByRows(rows, block,
                          [&](int begin, int end, std::vector<Candidate>& found)
                          {
@@ -248,39 +246,18 @@ std::vector<Candidate> blockMaxima(const RingTable<Votes>& table, int rows, int 
 }
 
 template<class Votes>
-std::vector<Candidate> greedyMaxima(const RingTable<Votes>& table, int rows, int threshold,
-                                    int radius)
+std::vector<Candidate> allAbove(const RingTable<Votes>& table, int rows, int threshold)
 {
-    std::vector<Candidate> all =
-        collectByRows(rows, ROWS_PER_TASK,
-                      [&](int begin, int end, std::vector<Candidate>& found)
-                      {
-                          forEachAbove(table, begin, end, threshold,
-                                       [&](int s, int e, const Votes* entry)
-                                       {
-                                           const Candidate candidate = {(int)*entry, s, e};
-                                           found.push_back(candidate);
-                                       });
-                      });
-    std::sort(all.begin(), all.end(), isStronger);
-    std::vector<bool> deleted(table.frame.chordCount());
-    std::vector<Candidate> kept;
-    for (size_t k = 0; k < all.size(); ++k)
-    {
-        const Candidate& candidate = all[k];
-        if (deleted[table.frame.chordIndex(candidate.s, candidate.e)])
-            continue;
-        kept.push_back(candidate);
-        for (int i = -radius; i <= radius; ++i)
-            for (int j = -radius; j <= radius; ++j)
-            {
-                const int points = table.borderCount, p = (candidate.s + i + points) % points,
-                          q = (candidate.e + j + points) % points;
-                if (table.frame.isChord(p, q))
-                    deleted[table.frame.chordIndexOf(p, q)] = true;
-            }
-    }
-    return kept;
+    return collectByRows(rows, ROWS_PER_TASK,
+                         [&](int begin, int end, std::vector<Candidate>& found)
+                         {
+                             forEachAbove(table, begin, end, threshold,
+                                          [&](int s, int e, const Votes* entry)
+                                          {
+                                              const Candidate candidate = {(int)*entry, s, e};
+                                              found.push_back(candidate);
+                                          });
+                         });
 }
 
 //! What is wanted of candidates that were found among all.
@@ -300,18 +277,30 @@ std::vector<Candidate> findCandidatesOf(const VoteTable& votes, const Cell& fram
 {
     const RingTable<Votes> table = {votes.ptr<Votes>(), frame, frame.borderCount()};
     const int rows = frame.firstPoint(SIDE_LEFT);
-    // On a ring of fewer points a neighbourhood would meet itself.
-    radius = std::min(radius, (frame.borderCount() - 1) / 2);
+    radius = mostRadius(frame, radius);
     if (suppression == SUPPRESS_RING)
         return ringMaxima(table, wanted, radius);
-    std::vector<Candidate> found = suppression == SUPPRESS_BLOCKS
-                                       ? blockMaxima(table, rows, wanted.threshold, radius)
-                                       : greedyMaxima(table, rows, wanted.threshold, radius);
+    if (suppression == SUPPRESS_GREEDY)
+        return greedyCandidates(allAbove(table, rows, wanted.threshold), frame, wanted, radius);
+    std::vector<Candidate> found = blockMaxima(table, rows, wanted.threshold, radius);
     keepWanted(wanted, found);
     return found;
 }
 
 } // namespace
+
+int mostRadius(const Cell& frame, int radius)
+{
+    return std::min(radius, (frame.borderCount() - 1) / 2);
+}
+
+int blockSide(int radius)
+{
+    int side = 1;
+    while (side < 2 * radius + 1)
+        side *= 2;
+    return side;
+}
 
 void keepStrongest(std::vector<Candidate>& candidates, size_t count)
 {
@@ -330,6 +319,32 @@ std::vector<Candidate> findCandidates(const VoteTable& table, const Cell& frame,
     if (table.depth == 2)
         return findCandidatesOf<ushort>(table, frame, wanted, suppression, radius);
     return findCandidatesOf<int>(table, frame, wanted, suppression, radius);
+}
+
+std::vector<Candidate> greedyCandidates(std::vector<Candidate> above, const Cell& frame,
+                                        const Wanted& wanted, int radius)
+{
+    radius = mostRadius(frame, radius);
+    std::sort(above.begin(), above.end(), isStronger);
+    std::vector<bool> deleted(frame.chordCount());
+    std::vector<Candidate> kept;
+    for (size_t k = 0; k < above.size(); ++k)
+    {
+        const Candidate& candidate = above[k];
+        if (deleted[frame.chordIndex(candidate.s, candidate.e)])
+            continue;
+        kept.push_back(candidate);
+        for (int i = -radius; i <= radius; ++i)
+            for (int j = -radius; j <= radius; ++j)
+            {
+                const int points = frame.borderCount(), p = (candidate.s + i + points) % points,
+                          q = (candidate.e + j + points) % points;
+                if (frame.isChord(p, q))
+                    deleted[frame.chordIndexOf(p, q)] = true;
+            }
+    }
+    keepWanted(wanted, kept);
+    return kept;
 }
 
 std::vector<Candidate> findParallelMaxima(const VoteTable& table, const Cell& frame,

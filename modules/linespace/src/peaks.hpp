@@ -43,12 +43,19 @@ struct Wanted
     size_t most;   //!< only so many, the strongest in the total order
     //! Candidates that it refuses do not count; empty: it takes all.
     std::function<bool(const Candidate&)> accepts;
-    //! By the number of a chord's pixels in the image: with fewer votes it refuses the chord; does
-    //! not decrease. Empty: nothing is known.
-    std::vector<int> leastVotes;
-    //! Whether it refuses nothing else: then leastVotes can stand in for it.
-    bool leastVotesDecide;
+    //! What it asks for, for those who cannot call it: by the chord's bin (directionBin; one for all
+    //! if the map is not oriented), then by its number of pixels in the image, with which it does
+    //! not decrease, how many votes. Empty: none.
+    std::vector<std::vector<int>> leastVotes;
+    //! And that the chord is one of these (AngleEnds); null: of all.
+    const std::vector<Vec4i>* ends;
 };
+
+//! A radius, but on a ring of few points: there a neighbourhood would meet itself.
+int mostRadius(const Cell& frame, int radius);
+
+//! Of the blocks of SUPPRESS_BLOCKS.
+int blockSide(int radius);
 
 //! Keeps the strongest of the wanted number, in no particular order.
 void keepStrongest(std::vector<Candidate>& candidates, size_t count);
@@ -62,6 +69,10 @@ takes the chords strongest first and deletes the ring neighbourhood of each.
 @return in no particular order but the same for any number of threads. */
 std::vector<Candidate> findCandidates(const VoteTable& table, const Cell& frame,
                                       const Wanted& wanted, int suppression, int radius);
+
+//! The same for SUPPRESS_GREEDY from all chords with more than the wanted votes.
+std::vector<Candidate> greedyCandidates(std::vector<Candidate> above, const Cell& frame,
+                                        const Wanted& wanted, int radius);
 
 /** The chords with more than the wanted votes that are stronger, in the total order, than the two
 that run parallel to them on either side, (s + 1, e - 1) and (s - 1, e + 1): fewer are lost than by

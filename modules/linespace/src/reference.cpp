@@ -39,7 +39,6 @@ class ReferenceExecutor : public Executor
 {
 public:
     int backend() const CV_OVERRIDE { return BACKEND_REFERENCE; }
-    void clear() CV_OVERRIDE {}
 
     // Section 3.2: the first cells.
     void firstCells(const EdgeMap& edges, const Plan& plan, VoteTable& table) CV_OVERRIDE

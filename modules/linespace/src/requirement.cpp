@@ -19,9 +19,7 @@ namespace {
 std::vector<int> votersOf(const EdgeMap& edges)
 {
     if (!edges.isOriented() || edges.isEstimated)
-        return std::vector<int>(1, edges.voters >= 0     ? edges.voters
-                                   : edges.votes.empty() ? countNonZero(edges.source)
-                                                         : countNonZero(edges.votes));
+        return std::vector<int>(1, edges.voters >= 0 ? edges.voters : countNonZero(edges.votes));
     std::vector<int> voters(DIRECTION_BINS, 0);
     for (int y = 0; y < edges.directions.rows; ++y)
     {
@@ -44,18 +42,12 @@ int leastSignificant(const std::vector<int>& votes)
 
 } // namespace
 
-std::vector<int> Requirement::leastVotes(double ratio) const
+std::vector<std::vector<int>> Requirement::leastVotes(double ratio) const
 {
-    std::vector<int> least;
-    for (size_t bin = 0; bin < pixels.size(); ++bin)
-        for (size_t length = 0; length < pixels[bin].size(); ++length)
-        {
-            const int votes = cvCeil(ratio * pixels[bin][length]);
-            if (bin == 0)
-                least.push_back(votes);
-            else
-                least[length] = std::min(least[length], votes);
-        }
+    std::vector<std::vector<int>> least = pixels;
+    for (std::vector<int>& byLength : least)
+        for (int& votes : byLength)
+            votes = cvCeil(ratio * votes);
     return least;
 }
 

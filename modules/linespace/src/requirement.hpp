@@ -45,9 +45,9 @@ struct Requirement
                candidate.votes >= ratio * needed[plan.visibleLength(chord)];
     }
 
-    //! By the number of pixels in the image: with fewer votes canBeMet() is false. Empty: of no
-    //! use.
-    std::vector<int> leastVotes(double ratio) const;
+    //! `pixels` times the ratio: with fewer votes canBeMet() is false, with more than the threshold
+    //! and at least as many it is true.
+    std::vector<std::vector<int>> leastVotes(double ratio) const;
 
     //! For exact votes. The statistical rule counts pixels, whatever their weights.
     bool isMet(const EdgePlanes& planes, const Plan& plan, const Candidate& candidate) const

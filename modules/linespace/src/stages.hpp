@@ -103,6 +103,14 @@ struct EdgeMap
     }
 };
 
+//! What an oriented map is made of, in one block of memory, as it comes from a device.
+struct OrientedPixels
+{
+    Mat memory;
+    Mat votes, directions, dx, dy; //!< as in EdgeMap; dx and dy may be empty
+    bool areFinite;                //!< the gradients that the directions were found from
+};
+
 struct Candidate; // peaks.hpp
 struct Wanted;
 class EdgeBits; // edge_bits.hpp
@@ -140,11 +148,17 @@ public:
 
     /** The directions of a map (directionBits) from gradients that are on the device, as its source is,
     or from those that are estimated, if these are empty; they stay valid until the next call.
-    @return an empty array if the host is to find them, or what is wrong with the gradients. */
+    @return an empty array if the host is to find them. */
     virtual UMat findDirections(const EdgeMap&, const Plan&, const UMat& /*dx*/, const UMat& /*dy*/,
                                 double /*tolerance*/)
     {
         return UMat();
+    }
+    //! Reads the map of which it found the directions last, with its gradients if these are not
+    //! empty.
+    virtual void readOriented(const EdgeMap&, const Plan&, const UMat& /*dx*/, const UMat& /*dy*/,
+                              OrientedPixels& /*pixels*/)
+    {
     }
 
     //! Makes room for a level's votes of so many bytes, where the stages want them.
@@ -181,14 +195,15 @@ public:
     virtual void exactVotes(const EdgeMap& edges, const Plan& plan, VoteTable& table) = 0;
 
     /** The local maxima of the frame's table, where the votes are, of the map that was counted last.
-    @param radius of findCandidates with SUPPRESS_RING, or -1: findParallelMaxima.
+    @param suppression SUPPRESS_RING, or SUPPRESS_BLOCKS, as of findCandidates.
+    @param radius of findCandidates, or with SUPPRESS_RING -1: findParallelMaxima.
     @param ascentRadius of climbToMaxima, which may then be done with them, but for the order and for
     those that came to the same maximum; 0: they may be counted exactly; -1: neither.
     @param areCounted set if that was done.
     @return false if they are better found in table.buffer after fetch(). */
     virtual bool findMaxima(const EdgeMap&, const Plan&, const VoteTable& /*table*/, const Wanted&,
-                            int /*radius*/, int /*ascentRadius*/, std::vector<Candidate>& /*found*/,
-                            bool& /*areCounted*/)
+                            int /*suppression*/, int /*radius*/, int /*ascentRadius*/,
+                            std::vector<Candidate>& /*found*/, bool& /*areCounted*/)
     {
         return false;
     }
@@ -207,8 +222,9 @@ public:
 
     //! Whether readBits() works for a map, and spares the host what it is read for.
     virtual bool readsBits(const EdgeMap&) const { return false; }
-    //! Reads the edge pixels of the map that was counted last, whatever their weights.
-    virtual void readBits(EdgeBits& /*bits*/) {}
+    //! Reads the edge pixels of a map, whatever their weights. Unless its source is on OpenCV's device
+    //! it has been counted.
+    virtual void readBits(const EdgeMap&, const Plan&, EdgeBits& /*bits*/) {}
 
     //! The size of a texture of OpenGL. Throws cv::Exception if it is none of those that
     //! detectTexture takes.
@@ -241,9 +257,6 @@ public:
     virtual void endStage(const String& name, StageTimes& times) { times.end(name); }
     //! Puts the times of the device in the place of those of queueing; it has done everything.
     virtual void settleTimes(StageTimes& /*times*/) {}
-
-    //! Frees what is kept between calls.
-    virtual void clear() = 0;
 };
 
 Ptr<Executor> createReferenceExecutor(); // reference.cpp

@@ -10,7 +10,8 @@
 //
 // One of RESET, SEARCH, RAISE_CUT, CHECK_CUT, CHOOSE_LEAST, COUNT, SCAN, WRITE: what it is compiled
 // for. RADIUS: of the neighbourhood on the ring of border points; -1: only the two chords parallel
-// to it on either side. The windows show the table, a word for each chord.
+// to it on either side. SQUARE: in their place, of the chords of a block of so many s and e, a power
+// of two, as SUPPRESS_BLOCKS has them. The windows show the table, a word for each chord.
 
 /* Chords of a tile: a bit each of GROUP words of 32. */
 #define TILE (GROUP * 32)
@@ -97,7 +98,15 @@ bool isStrongerAt(Frame frame, int p, int q, int i, int votes)
 
 bool isMaximum(Frame frame, ivec2 chord, int i, int votes)
 {
-#if RADIUS < 0
+#ifdef SQUARE
+    int left = 2 * frame.width + frame.height, points = left + frame.height;
+    int row = chord.x & -SQUARE, column = chord.y & -SQUARE;
+    for (int s = row; s < min(row + SQUARE, left); ++s)
+        for (int e = max(column, firstPartner(frame, s)); e < min(column + SQUARE, points); ++e)
+            if (isStrongerAt(frame, s, e, i, votes))
+                return false;
+    return true;
+#elif RADIUS < 0
     return !isStrongerAt(frame, chord.x + 1, chord.y - 1, i, votes) &&
            !isStrongerAt(frame, chord.x - 1, chord.y + 1, i, votes);
 #else

@@ -181,3 +181,29 @@ __kernel void estimateDirections(__global const uchar* image, int step, int offs
 }
 
 #endif // FLOATS
+
+/* What the host reads, side by side without gaps, from a place in a buffer on. Global size: columns,
+rows, as of the next two. */
+__kernel void copyVotes(__global const uchar* image, int step, int offset, int rows,
+                        int columns MASK_PARAMETERS, __global uchar* pixels, int start)
+{
+    const int x = get_global_id(0), y = get_global_id(1);
+    if (x < columns && y < rows)
+        pixels[start + (size_t)y * columns + x] = votesAt(image, step, offset MASK_ARGUMENTS, x, y);
+}
+
+#define COPY(name, ELEMENT)                                                                        \
+    __kernel void name(__global const uchar* image, int step, int offset, int rows, int columns,   \
+                       __global uchar* pixels, int start)                                          \
+    {                                                                                              \
+        const int x = get_global_id(0), y = get_global_id(1);                                      \
+        if (x < columns && y < rows)                                                               \
+            ((__global ELEMENT*)(pixels + start))[(size_t)y * columns + x] =                       \
+                ((__global const ELEMENT*)(image + offset + y * step))[x];                         \
+    }
+COPY(copyDirections, ushort)
+#ifdef FLOATS
+COPY(copyGradients, uint)
+#else
+COPY(copyGradients, ushort)
+#endif

@@ -8,8 +8,11 @@
 // which is that of (s, e): no result depends on the order of work items.
 //
 // VOTES: the type of votes. RADIUS: of the neighbourhood on the ring of border points; -1: only the
-// two chords parallel to it on either side. BLOCK: only chords of needed blocks of pruning.cl are
-// in the table; those of others have no more votes than the cut.
+// two chords parallel to it on either side. SQUARE: in their place, of the chords of a block of so
+// many s and e, a power of two, as SUPPRESS_BLOCKS has them. BLOCK: only chords of needed blocks of pruning.cl are
+// in the table; those of others have no more votes than the cut. REQUIRED: by the length of a chord,
+// with END_COSINES also by its bin, more votes are asked for. INTERVAL: only chords with one of the
+// ends of AngleEnds.
 
 enum
 {
@@ -74,7 +77,15 @@ inline bool isStrongerAt(Frame frame, __global const VOTES* table NEEDED_PARAMET
 inline bool isMaximum(Frame frame, __global const VOTES* table NEEDED_PARAMETER, int2 chord, int i,
                       int votes)
 {
-#if RADIUS < 0
+#ifdef SQUARE
+    const int left = 2 * frame.width + frame.height, points = left + frame.height;
+    const int row = chord.x & -SQUARE, column = chord.y & -SQUARE;
+    for (int s = row; s < min(row + SQUARE, left); ++s)
+        for (int e = max(column, sideOf(frame, s).y); e < min(column + SQUARE, points); ++e)
+            if (isStrongerAt(frame, table NEEDED_ARGUMENT, s, e, i, votes))
+                return false;
+    return true;
+#elif RADIUS < 0
     return !isStrongerAt(frame, table NEEDED_ARGUMENT, chord.x + 1, chord.y - 1, i, votes) &&
            !isStrongerAt(frame, table NEEDED_ARGUMENT, chord.x - 1, chord.y + 1, i, votes);
 #else
@@ -112,24 +123,43 @@ inline int visibleLength(Frame frame, int2 image, int2 chord)
 #endif
 
 #ifdef REQUIRED
-#define REQUIRED_PARAMETERS , __global const int *leastVotes, int imageWidth, int imageHeight
-#define REQUIRED_ARGUMENTS , leastVotes, imageWidth, imageHeight
+#define LENGTH_PARAMETERS                                                                          \
+    , __global const int *leastVotes, int lengths, int imageWidth, int imageHeight
+#define LENGTH_ARGUMENTS , leastVotes, lengths, imageWidth, imageHeight
 #else
-#define REQUIRED_PARAMETERS
-#define REQUIRED_ARGUMENTS
+#define LENGTH_PARAMETERS
+#define LENGTH_ARGUMENTS
+#endif
+#ifdef INTERVAL
+#define REQUIRED_PARAMETERS LENGTH_PARAMETERS, __global const int4 *ends
+#define REQUIRED_ARGUMENTS LENGTH_ARGUMENTS, ends
+#else
+#define REQUIRED_PARAMETERS LENGTH_PARAMETERS
+#define REQUIRED_ARGUMENTS LENGTH_ARGUMENTS
 #endif
 
-/* Whether chord i is wanted: a maximum that has what its length requires. */
+/* Whether chord i is wanted: a maximum, in the interval of angles, that has what its length and
+direction require. */
 inline bool isWanted(Frame frame, __global const VOTES* table NEEDED_PARAMETER REQUIRED_PARAMETERS,
                      int2 chord, int i, int votes)
 {
+#ifdef INTERVAL
+    const int4 own = ends[chord.x];
+    if (!((chord.y >= own.x && chord.y < own.y) || (chord.y >= own.z && chord.y < own.w)))
+        return false;
+#endif
     if (!isMaximum(frame, table NEEDED_ARGUMENT, chord, i, votes))
         return false;
 #ifdef REQUIRED
-    return votes >= leastVotes[visibleLength(frame, (int2)(imageWidth, imageHeight), chord)];
-#else
-    return true;
+    int entry = visibleLength(frame, (int2)(imageWidth, imageHeight), chord);
+#ifdef END_COSINES
+    entry += lengths * directionBin(borderPoint(frame.width, frame.height, chord.y) -
+                                    borderPoint(frame.width, frame.height, chord.x));
 #endif
+    if (votes < leastVotes[entry])
+        return false;
+#endif
+    return true;
 }
 
 #ifdef BLOCK
