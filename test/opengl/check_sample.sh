@@ -11,7 +11,7 @@ folder=${2:?usage: check_sample.sh PROGRAM FOLDER}
 
 rm -rf "$folder"
 status=0
-said=$("$program" "$folder" 3 2>&1) || status=$?
+said=$("$program" "$folder" --frames=3 2>&1) || status=$?
 echo "$said"
 if [[ $said == *"no OpenGL 4.3"* || $said == *"EGL cannot"* || $said == *"o display"* ]]; then
     echo "SKIPPED: there is no OpenGL 4.3"
@@ -22,5 +22,5 @@ fi
 # At least ten lines in a frame of some dozens of edges.
 [[ $said =~ 3\ frames,\ ([0-9]+)\ lines ]] && ((BASH_REMATCH[1] >= 30))
 [[ -s $folder/frame000.png && -s $folder/frame002.png ]]
-"$program" "$folder/video.avi" 2 >/dev/null
+"$program" "$folder/video.avi" --frames=2 >/dev/null
 [[ -s $folder/video.avi ]]
