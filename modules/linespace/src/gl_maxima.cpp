@@ -72,7 +72,7 @@ bool GlMaxima::find(GlDevice& device, const EdgeMap& edges, const Plan& plan, co
     const std::string tableOptions = windowOptions(device.limits(), tableBytes),
                       searchOptions =
                           define("SEARCH") + tableOptions +
-                          define("RADIUS", std::min(radius, (frame.borderCount() - 1) / 2)) +
+                          define("RING_RADIUS", std::min(radius, (frame.borderCount() - 1) / 2)) +
                           (isRequired ? define("REQUIRED") : std::string());
     const auto numbers = [&](int fifth, int sixth, int seventh)
     {

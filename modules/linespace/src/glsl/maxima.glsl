@@ -9,8 +9,7 @@
 // e).
 //
 // One of RESET, SEARCH, RAISE_CUT, CHECK_CUT, CHOOSE_LEAST, COUNT, SCAN, WRITE: what it is compiled
-// for. RADIUS: of the neighbourhood on the ring of border points; -1: only the two chords parallel
-// to it on either side. The windows show the table, a word for each chord.
+// for. The windows show the table, a word for each chord.
 
 /* Chords of a tile: a bit each of GROUP words of 32. */
 #define TILE (GROUP * 32)
@@ -80,34 +79,6 @@ int visibleLength(Frame frame, ivec2 chord)
     return max(0, end - begin);
 }
 #endif
-
-/* Whether the chord of two points, which may be beyond the ring's ends, comes before chord i of
-`votes` votes in the total order. */
-bool isStrongerAt(Frame frame, int p, int q, int i, int votes)
-{
-    int points = 2 * (frame.width + frame.height);
-    p = p < 0 ? p + points : p >= points ? p - points : p;
-    q = q < 0 ? q + points : q >= points ? q - points : q;
-    int s = min(p, q), e = max(p, q), partner = firstPartner(frame, s);
-    if (e < partner)
-        return false;
-    int other = rowStart(frame, s) + e - partner, otherVotes = int(tableAt(uint(other)));
-    return otherVotes > votes || (otherVotes == votes && other < i);
-}
-
-bool isMaximum(Frame frame, ivec2 chord, int i, int votes)
-{
-#if RADIUS < 0
-    return !isStrongerAt(frame, chord.x + 1, chord.y - 1, i, votes) &&
-           !isStrongerAt(frame, chord.x - 1, chord.y + 1, i, votes);
-#else
-    for (int k = 0; k <= RADIUS; k = k > 0 ? -k : 1 - k) /* the nearest rows first */
-        for (int j = -RADIUS; j <= RADIUS; ++j)
-            if (isStrongerAt(frame, chord.x + k, chord.y + j, i, votes))
-                return false;
-    return true;
-#endif
-}
 
 shared uint found[GROUP];
 
