@@ -5,11 +5,13 @@
 
 # Times the Line Space beside every other method in one run: installs what is missing (Debian 12 or
 # 13), builds, runs, and writes perf/results/: results.md, tables and single times (CSV), plots (PNG, SVG).
-#   perf/run.sh [--quick] [--only SECTION]... [--data FOLDER]
+#   perf/run.sh [--quick] [--only SECTION]... [--ways] [--data FOLDER]
 # --quick  small images, half a minute, into build/benchmark-quick/: shows that it works; times mean
 #          nothing
 # --only   only this section, into build/benchmark-only/: photographs, paper, opencl, opengl, sizes, densities, threads,
 #          instruction-sets, stages or memory
+# --ways   beside the section opengl, other ways to merge, to find maxima and to sort by OpenGL
+#          (opengl-ways.md), some minutes
 # --data   folder of OpenCV's sample photographs, default that of OpenCV's sources
 # LINESPACE_NEWER_OPENCV_PYTHON names a Python with a newer cv2, which takes part; without it the
 # newest opencv-python-headless is installed into build/newer-opencv/, or left out where that fails.
@@ -18,6 +20,7 @@ set -euo pipefail
 
 quick=
 only=()
+ways=
 data=
 command=perf/run.sh
 while (($#)); do
@@ -32,13 +35,18 @@ while (($#)); do
         command+=" --only $2"
         shift 2
         ;;
+    --ways)
+        ways=1
+        command+=" --ways"
+        shift
+        ;;
     --data)
         data=$(realpath -- "${2:?--data needs a folder}")
         command+=" --data FOLDER"
         shift 2
         ;;
     *)
-        echo "usage: run.sh [--quick] [--only SECTION]... [--data FOLDER]" >&2
+        echo "usage: run.sh [--quick] [--only SECTION]... [--ways] [--data FOLDER]" >&2
         exit 2
         ;;
     esac
@@ -48,7 +56,7 @@ cd "$(dirname "$0")/.."
 samples/install_packages.sh run benchmark
 test/fetch_opencv_source.sh # the photographs, and OpenCV's own test harness, which is configured too
 cmake --preset release
-cmake --build --preset release --target linespace_benchmark
+cmake --build --preset release --target linespace_benchmark ${ways:+linespace_opengl_ways}
 
 # A Python whose cv2 is newer than the OpenCV that everything else uses; nothing where there is none.
 newer_python() {
@@ -81,10 +89,15 @@ rm -rf "$results"
 export OPENCV_OPENCL_DEVICE=${OPENCV_OPENCL_DEVICE-:CPU:}
 # cv::HoughLines takes work groups as large as PoCL allows, which then loses some of their memory.
 export POCL_MAX_WORK_GROUP_SIZE=${POCL_MAX_WORK_GROUP_SIZE-1024}
+data=${data:-build/opencv-source/samples/data}
 status=0
-build/release/bin/linespace_benchmark --data "${data:-build/opencv-source/samples/data}" \
+build/release/bin/linespace_benchmark --data "$data" \
     --output "$results" ${quick:+"$quick"} "${only[@]}" ${newer:+--newer-python "$newer"} || status=$?
 # Where lines differ from the reference's, the report says which; the status is 1 all the same.
 /usr/bin/python3 -B perf/benchmark/report.py --results "$results" --command "$command" || status=$?
+if [[ -n $ways && (${#only[@]} == 0 || " ${only[*]} " == *" opengl "*) ]]; then
+    build/release/bin/linespace_opengl_ways --data "$data" ${quick:+--sides 32 --turns 1} \
+        >"$results/opengl-ways.md" || status=$?
+fi
 echo "See $results/results.md."
 exit "$status"

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <climits>
-#include <set>
 
 namespace benchmark {
 
@@ -96,7 +95,9 @@ bool isCrossing(const ls::Merge& merge, int p, int q)
     return merge.childOf(p) != merge.childOf(q);
 }
 
-//! Different parts of the chords of tiles of 8 x 8 of a rectangle, at either end.
+/** Parts that tiles of 8 x 8 chords of a rectangle load, at either end, as ../opengl_ways does: along a
+row and along a column the run of crossings, up to 8 of them, and what is beyond once more for each
+chord. */
 double partsOfTiles(const ls::Merge& merge, const ls::MergeRectangle& all, int s0, int e0)
 {
     if (!all.isCrossing)
@@ -106,18 +107,28 @@ double partsOfTiles(const ls::Merge& merge, const ls::MergeRectangle& all, int s
         SIDE = 8
     };
     double parts = 0;
+    // Of the chords of one row or column of a tile.
+    const auto addLine = [&](int s, int e, int stepS, int stepE, int count)
+    {
+        const auto crossing = [&](int i)
+        {
+            return merge.crossing(s + i * stepS, e + i * stepE);
+        };
+        const int least = std::min(crossing(0), crossing(count - 1)),
+                  most = std::max(crossing(0), crossing(count - 1));
+        parts += std::min<int>(SIDE, most - least + 1);
+        for (int i = 0; i < count; ++i)
+            parts += crossing(i) >= least + SIDE;
+    };
     for (int a = 0; a < all.rows; a += SIDE)
         for (int b = 0; b < all.columns; b += SIDE)
         {
-            std::set<std::pair<int, int>> atS, atE;
-            for (int i = a; i < std::min(all.rows, a + SIDE); ++i)
-                for (int k = b; k < std::min(all.columns, b + SIDE); ++k)
-                {
-                    const int m = merge.crossing(s0 + i, e0 + k);
-                    atS.insert({i, m});
-                    atE.insert({k, m});
-                }
-            parts += (double)(atS.size() + atE.size());
+            const int rows = std::min<int>(SIDE, all.rows - a),
+                      columns = std::min<int>(SIDE, all.columns - b);
+            for (int i = 0; i < rows; ++i)
+                addLine(s0 + a + i, e0 + b, 0, 1, columns);
+            for (int k = 0; k < columns; ++k)
+                addLine(s0 + a, e0 + b + k, 1, 0, rows);
         }
     return parts;
 }
@@ -148,9 +159,8 @@ WordWork mergeInWords(const ls::Plan& plan, int l)
                      work.loads += 2 * words;
                      work.adds += words;
                      work.fusedLoads +=
-                         words *
-                         (partsBelow(p, merge.sharedPoint(merge.childOf(chord.s), m)) +
-                          partsBelow(q, merge.sharedPoint(merge.childOf(chord.e), m)));
+                         words * (partsBelow(p, merge.sharedPoint(merge.childOf(chord.s), m)) +
+                                  partsBelow(q, merge.sharedPoint(merge.childOf(chord.e), m)));
                  });
     if (!hasBelow)
         work.fusedLoads = 0;

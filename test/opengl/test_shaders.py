@@ -2,8 +2,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-"""Every shader that the accuracy tests make the library compile, as Mesa writes it down
-(MESA_SHADER_CAPTURE_PATH), is valid for glslangValidator, as GLSL 4.30 and as GLSL ES 3.10."""
+"""Every shader that the accuracy tests make the library compile, and those of the ways that are timed
+beside it, if they were built, as Mesa writes them down (MESA_SHADER_CAPTURE_PATH), are valid for
+glslangValidator, as GLSL 4.30 and as GLSL ES 3.10."""
 
 import collections
 import os
@@ -15,8 +16,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
-ACCURACY = os.environ["LINESPACE_ACCURACY"]
 FILTER = "*_OpenGl.the_strongest*:*_OpenGl_Context.textures/*:*_Backends.medium_sizes/3"
+ACCURACY = [os.environ["LINESPACE_ACCURACY"], "--gtest_color=no", "--gtest_filter=" + FILTER]
+WAYS = os.environ.get("LINESPACE_OPENGL_WAYS")
 # With windows, which small blocks make: the searches, and merges of the same depths.
 SMALL_BLOCKS = {"LINESPACE_OPENGL_LIMITS": "262144"}
 
@@ -24,15 +26,18 @@ SMALL_BLOCKS = {"LINESPACE_OPENGL_LIMITS": "262144"}
 PROGRAMS = {"Planes { uint planes": 3, "buffer Parent": 8, "Votes { uint votes": 4,
             "buffer State": 12, "highp usampler2D texels": 6, "writeonly buffer Bits": 1,
             "buffer Listed": 6, "buffer Candidates": 10}
+if WAYS:
+    PROGRAMS["buffer Parent"] += 3
+    PROGRAMS.update({"partsS[ROOM]": 2, "struct Between": 1, "buffer Left": 6, "buffer List {": 3,
+                     "buffer Counts": 3})
 
 
-def sources(**variables):
-    """Of all compute shaders of a run."""
+def sources(command, **variables):
+    """Of all compute shaders of a run of a program."""
     with tempfile.TemporaryDirectory() as folder:
         environment = dict(os.environ, MESA_SHADER_CAPTURE_PATH=folder, **variables)
-        done = subprocess.run([ACCURACY, "--gtest_color=no", "--gtest_filter=" + FILTER],
-                              env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              text=True, check=False)
+        done = subprocess.run(command, env=environment, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True, check=False)
         if "Tests on OpenGL are skipped" in done.stdout:
             return None
         if done.returncode != 0:
@@ -74,8 +79,13 @@ if __name__ == "__main__":
     if not shutil.which("glslangValidator"):
         print("SKIPPED: there is no glslangValidator")
         sys.exit(1 if REQUIRED else 77)
-    for variables in ({}, {"LINESPACE_OPENGL_API": "es"}, SMALL_BLOCKS):
-        found = sources(**variables)
+    ES = {"LINESPACE_OPENGL_API": "es"}
+    RUNS = [(ACCURACY, {}), (ACCURACY, ES), (ACCURACY, SMALL_BLOCKS)]
+    if WAYS:
+        RUNS += [([WAYS, "--sides", "32", "--most", "1", "1500", "--turns", "0"], variables)
+                 for variables in ({}, ES)]
+    for program, settings in RUNS:
+        found = sources(program, **settings)
         if found is None:
             print("SKIPPED: there is no OpenGL")
             sys.exit(1 if REQUIRED else 77)

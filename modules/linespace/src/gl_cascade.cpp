@@ -2,17 +2,13 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// Tables are in the order of stages.hpp, [chord][cell], in words of 32 bits: the votes of
-// consecutive cells share a word, the first in its lowest bits, and a chord has at least one word,
-// so that those of the last table, of one cell, have one each.
-
 #include "gl_cascade.hpp"
 
 #ifdef LINESPACE_OPENGL
 
 #include "gl_ascent.hpp"
 #include "gl_maxima.hpp"
-#include "merge_rectangles.hpp"
+#include "gl_merge.hpp"
 
 #include <climits>
 #include <cstring>
@@ -21,35 +17,6 @@ namespace cv {
 namespace linespace {
 
 namespace {
-
-int logOf(size_t powerOfTwo)
-{
-    int log = 0;
-    while (((size_t)1 << log) < powerOfTwo)
-        ++log;
-    return log;
-}
-
-//! Words of a chord's votes, or of a pixel's.
-size_t wordsOf(size_t cells, int bytes)
-{
-    return std::max<size_t>(1, cells * bytes / sizeof(uint));
-}
-
-size_t wordsOf(const VoteTable& table)
-{
-    return wordsOf(table.cells, table.depth);
-}
-
-size_t bytesOf(const VoteTable& table)
-{
-    return table.chords * wordsOf(table) * sizeof(uint);
-}
-
-const GlBuffer& bufferOf(const VoteTable& table)
-{
-    return static_cast<const GlBuffer&>(*table.memory);
-}
 
 class OpenGlExecutor : public Executor
 {
@@ -123,46 +90,20 @@ public:
 
     void mergeCells(const Plan& plan, int l, const VoteTable& child, VoteTable& parent) CV_OVERRIDE
     {
-        const size_t words = wordsOf(parent);
-        // Of the child's votes that come to a word of the parent.
-        const int bits =
-            8 * child.depth * (int)std::min<size_t>(parent.cells, sizeof(uint) / parent.depth);
-        Merging merging = {child,
-                           parent,
-                           std::string(),
-                           (int)words,
-                           logOf(std::min<size_t>(words, GlDevice::GROUP)),
-                           bits == 32 ? -1 : (int)((1u << bits) - 1)};
-        merging.options = windowOptions(device_->limits(), bytesOf(child)) +
-                          define("CHILD_BITS", 8 * child.depth) +
-                          define("PARENT_BITS", 8 * parent.depth) +
-                          define("RECTANGLES", MOST_RECTANGLES);
-        bool isBeside = false;
-        std::vector<MergeRectangle> left = mergeRectangles(plan.merge(l));
-        while (!left.empty())
-        {
-            // Those of one kind and shape at once, if a block holds the parent.
-            const MergeRectangle first = left.front();
-            const auto others =
-                std::stable_partition(left.begin(), left.end(),
-                                      [&](const MergeRectangle& rectangle)
-                                      {
-                                          return rectangle.isCrossing == first.isCrossing &&
-                                                 rectangle.rows == first.rows &&
-                                                 rectangle.columns == first.columns;
-                                      });
+        const GlMerging merging(*device_, child, parent);
+        bool isBeside = false; // then they read what none of them writes
+        for (const std::vector<MergeRectangle>& alike : alikeRectangles(plan.merge(l)))
             if (bytesOf(parent) <= device_->limits().blockBytes)
-                mergeAtOnce(merging, std::vector<MergeRectangle>(left.begin(), others), 0,
-                            bytesOf(parent), isBeside);
+            {
+                merging.run(*device_, alike, 0, bytesOf(parent), isBeside);
+                isBeside = true;
+            }
             else
-                for (auto rectangle = left.begin(); rectangle != others; ++rectangle)
+                for (const MergeRectangle& rectangle : alike)
                 {
-                    mergeInParts(merging, *rectangle, isBeside);
+                    mergeInParts(merging, rectangle, isBeside);
                     isBeside = true;
                 }
-            isBeside = true; // they read what none of them writes
-            left.erase(left.begin(), others);
-        }
     }
 
     void exactVotes(const EdgeMap& edges, const Plan& plan, VoteTable& table) CV_OVERRIDE
@@ -314,49 +255,8 @@ private:
         EXACT_MAP = 2 //!< where exact.glsl has the map
     };
 
-    //! What the launches of a merge have in common.
-    struct Merging
-    {
-        const VoteTable &child, &parent;
-        std::string options;
-        int words, lanesLog, mask;
-    };
-
-    enum
-    {
-        MOST_RECTANGLES = 13
-    };
-
-    /** Rectangles of one kind and shape.
-    @param offset,bytes of the part of the parent's table that has them; their starts count from
-    there. */
-    void mergeAtOnce(const Merging& merging, const std::vector<MergeRectangle>& rectangles,
-                     size_t offset, size_t bytes, bool isBeside)
-    {
-        const VoteTable &child = merging.child, &parent = merging.parent;
-        CV_DbgAssert(rectangles.size() <= (size_t)MOST_RECTANGLES);
-        std::vector<Vec4i> fours;
-        for (const MergeRectangle& r : rectangles)
-        {
-            fours.push_back(Vec4i(r.columns, r.rows, (int)r.start, r.rowLength));
-            fours.push_back(Vec4i(r.childS, (int)r.partS, (int)r.stepS, (int)r.sharedS));
-            fours.push_back(Vec4i((int)r.stepE, (int)r.partE, (int)r.stepE, (int)r.sharedE));
-            fours.push_back(Vec4i(r.alongS, r.alongStepS, r.acrossS, r.acrossStepS));
-            fours.push_back(Vec4i(r.alongE, r.alongStepE, r.acrossE, r.acrossStepE));
-        }
-        const MergeRectangle& any = rectangles.front();
-        GlLaunch(*device_, GL_MERGE,
-                 merging.options + (any.isCrossing ? define("CROSSING") : std::string()))
-            .windows(bufferOf(child), bytesOf(child))
-            .block(bufferOf(parent), offset, bytes)
-            .fours(fours)
-            .runRows({0, 0, merging.lanesLog, logOf(parent.cells), merging.words,
-                      (int)wordsOf(child), merging.mask},
-                     any.columns << merging.lanesLog, any.rows, (int)rectangles.size(), isBeside);
-    }
-
     //! As many rows at a time as a block holds, which begins where it may.
-    void mergeInParts(const Merging& merging, const MergeRectangle& all, bool isBeside)
+    void mergeInParts(const GlMerging& merging, const MergeRectangle& all, bool isBeside)
     {
         const size_t bytes = merging.words * sizeof(uint), limit = device_->limits().blockBytes;
         const size_t slack = device_->limits().alignment, row = all.rowLength * bytes;
@@ -375,7 +275,7 @@ private:
             part.partS += first * all.stepS;
             part.alongS += first * all.alongStepS;
             part.acrossS += first * all.acrossStepS;
-            mergeAtOnce(merging, std::vector<MergeRectangle>(1, part), offset, end - offset,
+            merging.run(*device_, std::vector<MergeRectangle>(1, part), offset, end - offset,
                         isBeside || first > 0);
         }
     }

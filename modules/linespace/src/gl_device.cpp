@@ -221,6 +221,12 @@ bool GlDevice::works()
     }
 }
 
+String GlDevice::renderer()
+{
+    const char* const name = (const char*)call("glGetString", gl_.GetString, gl::RENDERER);
+    return name ? name : "";
+}
+
 void GlDevice::begin()
 {
     if (isLost_)
@@ -533,26 +539,35 @@ void GlDevice::read(const GlBuffer& buffer, size_t bytes, void* to)
     unmap();
 }
 
-gl::GLuint GlDevice::program(GlProgram source, const std::string& options)
+gl::GLuint GlDevice::program(const char* source, bool readsPixels, const std::string& options)
 {
-    gl::GLuint& result = programs_[std::make_pair((int)source, options)];
+    gl::GLuint& result = programs_[std::make_pair(source, options)];
     if (!result)
-        result = compiled(source, options);
+        result = compiled(source, readsPixels, options);
     return result;
 }
 
-gl::GLuint GlDevice::compiled(GlProgram source, const std::string& options)
+gl::GLuint GlDevice::compiled(const char* source, bool readsPixels, const std::string& options)
 {
     const std::string head = std::string(isEmbedded_ ? "#version 310 es\n"
                                                        "precision highp float;\n"
                                                        "precision highp int;\n"
                                                      : "#version 430 core\n") +
                              define("GROUP", GROUP) + define("NUMBERS", NUMBERS) + options;
-    const bool hasWindows = options.find("WINDOWS") != std::string::npos;
-    const char* const texts[] = {head.c_str(), chords_glsl, hasWindows ? windows_glsl : "",
-                                 source >= GL_EXACT ? pixels_glsl : "", sourceOf(source)};
+    const auto textOf = [&](const char* option, const char* text)
+    {
+        return options.find(option) != std::string::npos ? text : "";
+    };
+    const char* const texts[] = {head.c_str(),
+                                 chords_glsl,
+                                 textOf("WINDOWS", windows_glsl),
+                                 textOf("RING_RADIUS", ring_glsl),
+                                 textOf("CHILD_BITS", children_glsl),
+                                 readsPixels ? pixels_glsl : "",
+                                 source};
     const gl::GLuint shader = call("glCreateShader", gl_.CreateShader, gl::COMPUTE_SHADER);
-    call("glShaderSource", gl_.ShaderSource, shader, 5, texts, (const gl::GLint*)0);
+    call("glShaderSource", gl_.ShaderSource, shader, (gl::GLsizei)(sizeof(texts) / sizeof(*texts)),
+         texts, (const gl::GLint*)0);
     call("glCompileShader", gl_.CompileShader, shader);
     gl::GLint done = 0;
     char log[2048] = "";
@@ -580,7 +595,13 @@ gl::GLuint GlDevice::compiled(GlProgram source, const std::string& options)
 GlLaunch::GlLaunch(GlDevice& device, GlProgram program, const std::string& options)
     : device_(device), next_(0)
 {
-    device_.use(device_.program(program, options));
+    device_.use(device_.program(sourceOf(program), program >= GL_EXACT, options));
+}
+
+GlLaunch::GlLaunch(GlDevice& device, const char* source, const std::string& options)
+    : device_(device), next_(0)
+{
+    device_.use(device_.program(source, false, options));
 }
 
 GlLaunch& GlLaunch::block(const GlBuffer& buffer, size_t offset, size_t bytes)

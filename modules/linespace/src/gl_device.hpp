@@ -57,7 +57,7 @@ struct GlLimits
 };
 
 //! The programs of glsl/, each after chords.glsl, which all use; from GL_EXACT on after pixels.glsl
-//! as well.
+//! as well. What options tell is compiled before them, see GlLaunch.
 enum GlProgram
 {
     GL_PLANES,
@@ -94,6 +94,8 @@ public:
     bool isCallers() const { return context_.isCallers(); }
     bool isEmbedded() const { return isEmbedded_; }
     const GlLimits& limits() const { return limits_; }
+    //! What the driver calls itself; between begin() and end().
+    String renderer();
 
     void begin();
     //! Throws nothing.
@@ -157,8 +159,8 @@ private:
     void restore();
     const void* map(const GlBuffer& buffer, size_t offset, size_t bytes);
     void unmap();
-    gl::GLuint program(GlProgram source, const std::string& options);
-    gl::GLuint compiled(GlProgram source, const std::string& options);
+    gl::GLuint program(const char* source, bool readsPixels, const std::string& options);
+    gl::GLuint compiled(const char* source, bool readsPixels, const std::string& options);
     String messages();
     void check(const char* call);
     static void LINESPACE_GL_CALL collect(gl::GLenum, gl::GLenum, gl::GLuint, gl::GLenum severity,
@@ -186,7 +188,7 @@ private:
     bool isLost_; //!< the caller has destroyed the context
     bool isBusy_; //!< with launches, as far as is known
     GlLimits limits_;
-    std::map<std::pair<int, std::string>, gl::GLuint> programs_;
+    std::map<std::pair<const char*, std::string>, gl::GLuint> programs_; //!< by source and options
     gl::GLuint mark_, sampler_;
     uint64 markValue_[2];
     std::vector<gl::GLuint> queries_; //!< of stamps, which are the first of them
@@ -204,8 +206,12 @@ private:
 class GlLaunch
 {
 public:
-    //! @param options what its source is compiled after: lines that define macros.
+    /** @param options what its source is compiled after: lines that define macros. Of some of them it
+    uses a text that goes before it: windows.glsl of WINDOWS, ring.glsl of RING_RADIUS, children.glsl
+    of CHILD_BITS. */
     GlLaunch(GlDevice& device, GlProgram program, const std::string& options);
+    //! @param source of a shader that is none of glsl/; a program is kept by its address.
+    GlLaunch(GlDevice& device, const char* source, const std::string& options);
 
     //! The next block of the shader; of the whole buffer, or of a part.
     GlLaunch& block(const GlBuffer& buffer) { return block(buffer, 0, buffer.bytes()); }

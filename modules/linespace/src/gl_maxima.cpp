@@ -6,6 +6,8 @@
 
 #ifdef LINESPACE_OPENGL
 
+#include "gl_pixels.hpp"
+
 namespace cv {
 namespace linespace {
 
@@ -36,8 +38,20 @@ void GlMaxima::release()
 {
     state_.release();
     masks_.release();
-    leastVotes_.release();
+    requirement_.release();
     maxima_.release();
+}
+
+//! What else is wanted than votes, as maxima.glsl reads it.
+std::vector<int> GlMaxima::requirementOf(const Wanted& wanted)
+{
+    std::vector<int> numbers;
+    if (wanted.ends)
+        for (const Vec4i& ends : *wanted.ends)
+            numbers.insert(numbers.end(), ends.val, ends.val + 4);
+    for (const std::vector<int>& byLength : wanted.leastVotes)
+        numbers.insert(numbers.end(), byLength.begin(), byLength.end());
+    return numbers;
 }
 
 bool GlMaxima::find(GlDevice& device, const EdgeMap& edges, const Plan& plan, const GlBuffer& table,
@@ -48,11 +62,11 @@ bool GlMaxima::find(GlDevice& device, const EdgeMap& edges, const Plan& plan, co
     const Cell& frame = plan.frame();
     const Size image = plan.imageSize();
     const size_t tableBytes = frame.chordCount() * sizeof(uint);
-    const bool isRequired = !wanted.leastVotes.empty();
+    const std::vector<int> requirement = requirementOf(wanted);
+    const bool isRequired = !requirement.empty();
     const size_t windows =
         (tableBytes + device.limits().blockBytes - 1) / device.limits().blockBytes;
-    if (wanted.leastVotes.size() > 1 || wanted.ends ||
-        (int)windows + (isRequired ? 3 : 2) > device.limits().blocks)
+    if ((int)windows + (isRequired ? 3 : 2) > device.limits().blocks)
         return false;
     const int chords = (int)frame.chordCount(), tiles = chords / TILE + (chords % TILE > 0);
     const int most = (int)std::min<size_t>(wanted.most, chords);
@@ -61,20 +75,23 @@ bool GlMaxima::find(GlDevice& device, const EdgeMap& edges, const Plan& plan, co
         (double)plan.level(plan.levelCount() - 1).maxVotes * (edges.weighted ? 255 : 1) + 1);
     const size_t stateBytes = (NUMBERS + (size_t)bins + 2 * (size_t)tiles) * sizeof(int),
                  maskBytes = (size_t)tiles * GlDevice::GROUP * sizeof(uint);
-    if (std::max(stateBytes, maskBytes) > device.limits().blockBytes)
+    if (std::max({stateBytes, maskBytes, requirement.size() * sizeof(int)}) >
+        device.limits().blockBytes)
         return false;
     device.allocate(state_, stateBytes);
     device.allocate(masks_, maskBytes);
     if (isRequired)
-        device.upload(wanted.leastVotes.front(), leastVotes_);
+        device.upload(requirement, requirement_);
 
     radius = mostRadius(frame, radius);
     const std::string tableOptions = windowOptions(device.limits(), tableBytes),
                       searchOptions =
-                          define("SEARCH") + tableOptions + define("RADIUS", radius) +
+                          define("SEARCH") + tableOptions + define("RING_RADIUS", radius) +
                           (suppression == SUPPRESS_BLOCKS ? define("SQUARE", blockSide(radius))
                                                           : std::string()) +
-                          (isRequired ? define("REQUIRED") : std::string());
+                          (wanted.leastVotes.empty() ? std::string() : define("REQUIRED")) +
+                          (wanted.leastVotes.size() > 1 ? orientedOptions() : std::string()) +
+                          (wanted.ends ? define("INTERVAL") : std::string());
     const auto numbers = [&](int fifth, int sixth, int seventh)
     {
         return std::vector<int>{chords, frame.width, frame.height, bins,
@@ -85,7 +102,7 @@ bool GlMaxima::find(GlDevice& device, const EdgeMap& edges, const Plan& plan, co
         GlLaunch launch(device, GL_MAXIMA, searchOptions);
         launch.windows(table, tableBytes).block(state_).block(masks_);
         if (isRequired)
-            launch.block(leastVotes_);
+            launch.block(requirement_);
         launch.run(numbers(isSample, image.width, image.height), tiles);
     };
     const auto decide = [&](const char* kernel, int fifth, int sixth)

@@ -34,9 +34,11 @@ public:
     void release();
 
 private:
+    static std::vector<int> requirementOf(const Wanted& wanted);
+
     GlBuffer state_; //!< numbers, histogram and counts of maxima.glsl
     GlBuffer masks_; //!< which chords of a tile are maxima
-    GlBuffer leastVotes_;
+    GlBuffer requirement_;
     GlBuffer maxima_;
     int room_; //!< for so many, where all are asked for
 };

@@ -4,20 +4,16 @@
 
 #include "merge_rectangles.hpp"
 
+#include <algorithm>
+
 namespace cv {
 namespace linespace {
 
 namespace {
 
-//! Consecutive border points of the parent on one side of one child.
-struct Part
-{
-    int first, count;
-};
-
 //! How a coordinate changes along a part; of one point, 0.
-void relativeSteps(const Merge& merge, const Part& part, int& along, int& across, int& alongStep,
-                   int& acrossStep)
+void relativeSteps(const Merge& merge, const BorderPart& part, int& along, int& across,
+                   int& alongStep, int& acrossStep)
 {
     merge.relativeTo(part.first, along, across);
     alongStep = acrossStep = 0;
@@ -28,16 +24,36 @@ void relativeSteps(const Merge& merge, const Part& part, int& along, int& across
     acrossStep -= across;
 }
 
-MergeRectangle rectangleOf(const Merge& merge, const Part& partOfS, const Part& partOfE)
+} // namespace
+
+std::vector<BorderPart> borderParts(const Merge& merge)
+{
+    // Each side of a child that is not the shared one is one part, but its points follow one
+    // another on the parent as well.
+    std::vector<BorderPart> parts;
+    for (int side = SIDE_TOP; side <= SIDE_LEFT; ++side)
+    {
+        const int first = merge.parent.firstPoint(side), count = merge.parent.pointCount(side),
+                  childCount = merge.child.pointCount(side);
+        for (int begin = 0; begin < count; begin += childCount)
+        {
+            const BorderPart part = {first + begin, childCount};
+            parts.push_back(part);
+        }
+    }
+    return parts;
+}
+
+MergeRectangle mergeRectangle(const Merge& merge, const BorderPart& ofS, const BorderPart& ofE)
 {
     const Cell &parent = merge.parent, &child = merge.child;
-    const int s = partOfS.first, e = partOfE.first;
+    const int s = ofS.first, e = ofE.first;
     const int childS = merge.childOf(s), childE = merge.childOf(e);
     const int pointS = merge.childPoint(s), pointE = merge.childPoint(e);
     MergeRectangle result = MergeRectangle();
     result.start = parent.chordIndex(s, e);
-    result.rows = partOfS.count;
-    result.columns = partOfE.count;
+    result.rows = ofS.count;
+    result.columns = ofE.count;
     result.rowLength = parent.rowLength(parent.sideOf(s));
     result.isCrossing = childS != childE;
     result.childS = childS;
@@ -55,36 +71,41 @@ MergeRectangle rectangleOf(const Merge& merge, const Part& partOfS, const Part& 
     result.partE = child.chordIndexOf(pointE, shareE);
     result.stepE = child.chordStride(pointE, shareE);
     result.sharedE = merge.sharedDirection(childE) * child.chordStride(shareE, pointE);
-    relativeSteps(merge, partOfS, result.alongS, result.acrossS, result.alongStepS,
-                  result.acrossStepS);
-    relativeSteps(merge, partOfE, result.alongE, result.acrossE, result.alongStepE,
-                  result.acrossStepE);
+    relativeSteps(merge, ofS, result.alongS, result.acrossS, result.alongStepS, result.acrossStepS);
+    relativeSteps(merge, ofE, result.alongE, result.acrossE, result.alongStepE, result.acrossStepE);
     return result;
 }
 
-} // namespace
-
 std::vector<MergeRectangle> mergeRectangles(const Merge& merge)
 {
-    // Each side of a child that is not the shared one is one part, but its points follow one
-    // another on the parent as well.
-    std::vector<Part> parts;
-    for (int side = SIDE_TOP; side <= SIDE_LEFT; ++side)
-    {
-        const int first = merge.parent.firstPoint(side), count = merge.parent.pointCount(side),
-                  childCount = merge.child.pointCount(side);
-        for (int begin = 0; begin < count; begin += childCount)
-        {
-            const Part part = {first + begin, childCount};
-            parts.push_back(part);
-        }
-    }
+    const std::vector<BorderPart> parts = borderParts(merge);
     std::vector<MergeRectangle> rectangles;
     for (size_t i = 0; i < parts.size(); ++i)
         for (size_t k = i + 1; k < parts.size(); ++k)
             if (merge.parent.isChord(parts[i].first, parts[k].first))
-                rectangles.push_back(rectangleOf(merge, parts[i], parts[k]));
+                rectangles.push_back(mergeRectangle(merge, parts[i], parts[k]));
     return rectangles;
+}
+
+std::vector<std::vector<MergeRectangle>> alikeRectangles(const Merge& merge)
+{
+    std::vector<std::vector<MergeRectangle>> groups;
+    for (const MergeRectangle& rectangle : mergeRectangles(merge))
+    {
+        const auto group = std::find_if(groups.begin(), groups.end(),
+                                        [&](const std::vector<MergeRectangle>& others)
+                                        {
+                                            const MergeRectangle& other = others.front();
+                                            return other.isCrossing == rectangle.isCrossing &&
+                                                   other.rows == rectangle.rows &&
+                                                   other.columns == rectangle.columns;
+                                        });
+        if (group != groups.end())
+            group->push_back(rectangle);
+        else
+            groups.push_back(std::vector<MergeRectangle>(1, rectangle));
+    }
+    return groups;
 }
 
 } // namespace linespace

@@ -13,6 +13,15 @@
 namespace cv {
 namespace linespace {
 
+//! Consecutive border points of the parent on one side of one child.
+struct BorderPart
+{
+    int first, count;
+};
+
+//! Those of a merge, in the order of the parent's border.
+std::vector<BorderPart> borderParts(const Merge& merge);
+
 /** The chords (s + a, e + b) of the parent, a = 0 .. rows - 1, b = 0 .. columns - 1, all s + a on
 one side of one child, and all e + b on one side of one child.
 
@@ -33,8 +42,15 @@ struct MergeRectangle
     int alongE, acrossE, alongStepE, acrossStepE;
 };
 
+//! The chords between two such parts on different sides of the parent, or within them, the one of s
+//! first.
+MergeRectangle mergeRectangle(const Merge& merge, const BorderPart& ofS, const BorderPart& ofE);
+
 //! All chords of the parent, each once.
 std::vector<MergeRectangle> mergeRectangles(const Merge& merge);
+
+//! The same, those of one kind and shape together.
+std::vector<std::vector<MergeRectangle>> alikeRectangles(const Merge& merge);
 
 } // namespace linespace
 } // namespace cv

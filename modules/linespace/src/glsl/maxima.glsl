@@ -9,9 +9,7 @@
 // e).
 //
 // One of RESET, SEARCH, RAISE_CUT, CHECK_CUT, CHOOSE_LEAST, COUNT, SCAN, WRITE: what it is compiled
-// for. RADIUS: of the neighbourhood on the ring of border points; -1: only the two chords parallel
-// to it on either side. SQUARE: in their place, of the chords of a block of so many s and e, a power
-// of two, as SUPPRESS_BLOCKS has them. The windows show the table, a word for each chord.
+// for. The windows show the table, a word for each chord.
 
 /* Chords of a tile: a bit each of GROUP words of 32. */
 #define TILE (GROUP * 32)
@@ -55,9 +53,28 @@ void main()
 
 #ifdef SEARCH
 
-#ifdef REQUIRED
-layout(std430, binding = BLOCK_C) readonly buffer LeastVotes { int leastVotes[]; };
+#if defined(REQUIRED) || defined(INTERVAL)
+/* INTERVAL: for each s four ends (AngleEnds). Then, REQUIRED, votes by the length of a chord, of each
+bin if there are END_COSINES. */
+layout(std430, binding = BLOCK_C) readonly buffer Requirement { int requirement[]; };
 #define IMAGE ivec2(numbers[6], numbers[7])
+#ifdef INTERVAL
+#define LEAST_VOTES (4 * (2 * WIDTH + HEIGHT))
+#else
+#define LEAST_VOTES 0
+#endif
+#endif
+
+#ifdef INTERVAL
+bool isInInterval(ivec2 chord)
+{
+    int first = 4 * chord.x;
+    return (chord.y >= requirement[first] && chord.y < requirement[first + 1]) ||
+           (chord.y >= requirement[first + 2] && chord.y < requirement[first + 3]);
+}
+#endif
+
+#ifdef REQUIRED
 
 /* Pixels of a chord in the image, as Plan::visibleLength. */
 int visibleLength(Frame frame, ivec2 chord)
@@ -81,42 +98,6 @@ int visibleLength(Frame frame, ivec2 chord)
     return max(0, end - begin);
 }
 #endif
-
-/* Whether the chord of two points, which may be beyond the ring's ends, comes before chord i of
-`votes` votes in the total order. */
-bool isStrongerAt(Frame frame, int p, int q, int i, int votes)
-{
-    int points = 2 * (frame.width + frame.height);
-    p = p < 0 ? p + points : p >= points ? p - points : p;
-    q = q < 0 ? q + points : q >= points ? q - points : q;
-    int s = min(p, q), e = max(p, q), partner = firstPartner(frame, s);
-    if (e < partner)
-        return false;
-    int other = rowStart(frame, s) + e - partner, otherVotes = int(tableAt(uint(other)));
-    return otherVotes > votes || (otherVotes == votes && other < i);
-}
-
-bool isMaximum(Frame frame, ivec2 chord, int i, int votes)
-{
-#ifdef SQUARE
-    int left = 2 * frame.width + frame.height, points = left + frame.height;
-    int row = chord.x & -SQUARE, column = chord.y & -SQUARE;
-    for (int s = row; s < min(row + SQUARE, left); ++s)
-        for (int e = max(column, firstPartner(frame, s)); e < min(column + SQUARE, points); ++e)
-            if (isStrongerAt(frame, s, e, i, votes))
-                return false;
-    return true;
-#elif RADIUS < 0
-    return !isStrongerAt(frame, chord.x + 1, chord.y - 1, i, votes) &&
-           !isStrongerAt(frame, chord.x - 1, chord.y + 1, i, votes);
-#else
-    for (int k = 0; k <= RADIUS; k = k > 0 ? -k : 1 - k) /* the nearest rows first */
-        for (int j = -RADIUS; j <= RADIUS; ++j)
-            if (isStrongerAt(frame, chord.x + k, chord.y + j, i, votes))
-                return false;
-    return true;
-#endif
-}
 
 shared uint found[GROUP];
 
@@ -143,10 +124,19 @@ void main()
             if (votes <= cut)
                 continue;
             ivec2 chord = chordAt(frame, i);
+#ifdef INTERVAL
+            if (!isInInterval(chord))
+                continue;
+#endif
             if (!isMaximum(frame, chord, i, votes))
                 continue;
 #ifdef REQUIRED
-            if (votes < leastVotes[visibleLength(frame, chord)])
+            int entry = LEAST_VOTES + visibleLength(frame, chord);
+#ifdef END_COSINES
+            entry += (max(IMAGE.x, IMAGE.y) + 1) *
+                     directionBin(borderPoint(frame, chord.y) - borderPoint(frame, chord.x));
+#endif
+            if (votes < requirement[entry])
                 continue;
 #endif
             atomicOr(found[uint(k * GROUP / 32) + (item >> 5)], 1u << (item & 31u));
