@@ -129,9 +129,8 @@ class Launches(unittest.TestCase):
                 two, warm = self.accounts[function]
                 self.assertGreater(two.calls["create_compute_state"], 1)
                 self.assertEqual(warm["create_compute_state"], 0)
-                if function != "houghlines":  # which keeps no buffers
-                    self.assertGreater(two.calls["resource_create"], 2)
-                    self.assertEqual(warm["resource_create"], 0)
+                self.assertGreater(two.calls["resource_create"], 2)
+                self.assertEqual(warm["resource_create"], 0)
                 self.assertEqual(warm["context_create"], 0)
 
     def test_a_warm_call_waits_once(self):

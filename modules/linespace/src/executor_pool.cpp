@@ -14,7 +14,7 @@ namespace {
 struct Pool
 {
     std::mutex mutex;
-    std::vector<Ptr<Executor>> executors; //!< that given last at the end
+    std::vector<PooledExecutor> executors; //!< that given last at the end
 };
 
 //! Never destroyed: at the end of the process OpenCV and the device's driver may be gone before.
@@ -27,30 +27,45 @@ Pool& pool()
 //! As many calls at the same time find one.
 const size_t MOST_KEPT = 4;
 
+//! Of a table, on the host or on a device.
+const size_t MOST_KEPT_BYTES = 256 << 20;
+
+bool isLarge(const VoteTable& table)
+{
+    return table.bytes() > MOST_KEPT_BYTES ||
+           (table.memory && table.memory->bytes() > MOST_KEPT_BYTES);
+}
+
 } // namespace
 
-Ptr<Executor> takeExecutor(int backend)
+PooledExecutor takeExecutor(int backend)
 {
     Pool& kept = pool();
     const std::lock_guard<std::mutex> lock(kept.mutex);
     for (size_t i = kept.executors.size(); i-- > 0;)
-        if (kept.executors[i]->backend() == backend && kept.executors[i]->isUsable())
+    {
+        const PooledExecutor found = kept.executors[i];
+        if (found.executor->backend() == backend && found.executor->isUsable())
         {
-            const Ptr<Executor> found = kept.executors[i];
             kept.executors.erase(kept.executors.begin() + i);
             return found;
         }
-    return Ptr<Executor>();
+    }
+    const PooledExecutor none = {Ptr<Executor>(), makePtr<VoteTables>()};
+    return none;
 }
 
-void giveExecutor(const Ptr<Executor>& executor)
+void giveExecutor(const PooledExecutor& pooled)
 {
-    if (!executor->takesUMats())
+    const int backend = pooled.executor->backend();
+    if (backend != BACKEND_OPENCL && backend != BACKEND_OPENGL)
         return;
-    Ptr<Executor> oldest; // its buffers are freed without the lock
+    if (isLarge(pooled.tables->of(0)) || isLarge(pooled.tables->of(1)))
+        pooled.tables->release();
+    PooledExecutor oldest; // its buffers are freed without the lock
     Pool& kept = pool();
     const std::lock_guard<std::mutex> lock(kept.mutex);
-    kept.executors.push_back(executor);
+    kept.executors.push_back(pooled);
     if (kept.executors.size() > MOST_KEPT)
     {
         oldest = kept.executors.front();

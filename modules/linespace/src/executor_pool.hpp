@@ -13,13 +13,19 @@
 namespace cv {
 namespace linespace {
 
-//! One of a back end that was given back and can run in this thread's context, or an empty one; it
-//! is the caller's alone.
-Ptr<Executor> takeExecutor(int backend);
+struct PooledExecutor
+{
+    Ptr<Executor> executor; //!< may be empty
+    Ptr<VoteTables> tables; //!< for votes that it counts
+};
 
-//! Keeps the executor of a device for a later call, without the map that it counted. One whose call
-//! threw is better dropped.
-void giveExecutor(const Ptr<Executor>& executor);
+//! One of a back end that was given back and can run in this thread's context, or none, and tables
+//! in any case; it is the caller's alone.
+PooledExecutor takeExecutor(int backend);
+
+//! Keeps the executor of a device for a later call, without the map that it counted, and its
+//! tables, if they are not very large. One whose call threw is better dropped.
+void giveExecutor(const PooledExecutor& pooled);
 
 } // namespace linespace
 } // namespace cv

@@ -36,7 +36,7 @@ public:
     GlBuffer() : name_(0), bytes_(0) {}
     ~GlBuffer() { release(); }
     void release();
-    size_t bytes() const { return bytes_; }
+    size_t bytes() const CV_OVERRIDE { return bytes_; }
 
 private:
     friend class GlDevice;

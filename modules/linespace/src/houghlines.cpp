@@ -23,13 +23,12 @@ bool isStronger(const GridLine& a, const GridLine& b)
                                 : a.distance < b.distance;
 }
 
-//! As Executor::countGridLines, with the executor's table.
+//! As Executor::countGridLines, with the executor's table, for which `tables` are.
 void countOnHost(Executor& executor, const EdgeMap& edges, const Plan& plan, const HoughGrid& grid,
-                 int threshold, std::vector<GridLine>& all)
+                 int threshold, VoteTables& tables, std::vector<GridLine>& all)
 {
     const int last = plan.levelCount() - 1;
     const EdgePixels pixels(edges);
-    VoteTables tables;
     const bool hasTable = !countsAllLines(plan, grid, edges.weighted, pixels.count());
     if (hasTable)
     {
@@ -85,15 +84,16 @@ std::vector<GridLine> countedLines(InputArray image, bool weighted, const HoughG
     edges.weighted = weighted;
     edges.source = onDevice(image);
     std::vector<GridLine> found;
+    PooledExecutor pooled = takeExecutor(chosenBackend(BACKEND_AUTO, image.isUMat()));
     const auto count = [&](Executor& executor)
     {
         if (edges.source.empty() || !executor.takesUMats())
             readEdges(image, edges);
         if (!executor.countGridLines(edges, *plan, grid, threshold, found))
-            countOnHost(executor, edges, *plan, grid, threshold, found);
+            countOnHost(executor, edges, *plan, grid, threshold, *pooled.tables, found);
     };
-    const Ptr<Executor> kept = takeExecutor(chosenBackend(BACKEND_AUTO, image.isUMat()));
-    giveExecutor(runOn(BACKEND_AUTO, image.isUMat(), kept, count));
+    pooled.executor = runOn(BACKEND_AUTO, image.isUMat(), pooled.executor, count);
+    giveExecutor(pooled);
     return found;
 }
 

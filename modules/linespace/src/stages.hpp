@@ -28,6 +28,7 @@ class DeviceMemory
 {
 public:
     virtual ~DeviceMemory() {}
+    virtual size_t bytes() const = 0;
 };
 
 /** Votes of all chords of all cells of one level. The votes of chord i of the cell with index c

@@ -21,14 +21,6 @@ using namespace generators;
 
 typedef std::vector<Vec3f> Lines;
 
-//! The back end of the process, as long as it lives. A named device must not fail.
-class DefaultBackend
-{
-public:
-    explicit DefaultBackend(int backend) { setDefaultBackend(backend); }
-    ~DefaultBackend() { setDefaultBackend(BACKEND_AUTO); }
-};
-
 struct Arguments
 {
     double rho, theta;

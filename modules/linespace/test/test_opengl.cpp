@@ -203,13 +203,11 @@ TEST_F(Linespace_OpenGl, the_default_back_end_of_the_process)
     const Mat1b dense = randomEdges(Size(400, 300), 0.5, 1);
     Lines byCpu, byOpenGl, lines;
     cv::linespace::HoughLines(dense, byCpu, 1, CV_PI / 900, 220);
-    setDefaultBackend(BACKEND_OPENGL);
+    const DefaultBackend device(BACKEND_OPENGL);
     const Ptr<LineSpaceDetector> detector = detectorFor(BACKEND_AUTO);
     detector->detect(edges, lines);
-    const int active = detector->getActiveBackend();
+    EXPECT_EQ(BACKEND_OPENGL, detector->getActiveBackend());
     cv::linespace::HoughLines(dense, byOpenGl, 1, CV_PI / 900, 220);
-    setDefaultBackend(BACKEND_AUTO);
-    EXPECT_EQ(BACKEND_OPENGL, active);
     EXPECT_EQ(expected, lines);
     ASSERT_FALSE(byCpu.empty());
     EXPECT_EQ(byCpu, byOpenGl);
@@ -539,6 +537,15 @@ TEST_P(Linespace_OpenGl_Context, textures_that_are_none)
                                  {"texture", "context", "current"}));
 }
 
+//! Of the context that is current.
+int buffersIn(const TestContext& context)
+{
+    int buffers = 0;
+    for (gl::GLuint name = 1; name < 200; ++name)
+        buffers += context.gl().IsBuffer(name) ? 1 : 0;
+    return buffers;
+}
+
 //! A detector goes along with the context that is current, or with none.
 TEST_P(Linespace_OpenGl_Context, contexts_take_turns)
 {
@@ -567,11 +574,73 @@ TEST_P(Linespace_OpenGl_Context, contexts_take_turns)
     for (TestContext* context : {&first, &second})
     {
         context->makeCurrent();
-        int buffers = 0;
-        for (gl::GLuint name = 1; name < 100; ++name)
-            buffers += context->gl().IsBuffer(name) ? 1 : 0;
-        EXPECT_GT(buffers, 0);
+        EXPECT_GT(buffersIn(*context), 0);
     }
+}
+
+//! The drop-in has no object, so what it counts with is kept for the next call in the same context.
+TEST_P(Linespace_OpenGl_Context, the_drop_in_goes_along_with_contexts)
+{
+    requireBackend(BACKEND_OPENGL);
+    // Of so many edge pixels that it counts chords.
+    const Mat1b dense = randomEdges(Size(400, 300), 0.5, 1);
+    const auto houghLines = [&]()
+    {
+        Lines lines;
+        cv::linespace::HoughLines(dense, lines, 1, CV_PI / 900, 220);
+        return lines;
+    };
+    const Lines expected = houghLines();
+    ASSERT_FALSE(expected.empty());
+    const DefaultBackend device(BACKEND_OPENGL);
+    {
+        TestContext first(GetParam()), second(!GetParam());
+        TestContext* const contexts[] = {&first, &second};
+        int buffers[2];
+        for (int i = 0; i < 9; ++i)
+        {
+            if (i % 3 < 2)
+                contexts[i % 3]->makeCurrent();
+            else
+                TestContext::release();
+            void* const before = TestContext::current();
+            EXPECT_EQ(expected, houghLines());
+            EXPECT_EQ(before, TestContext::current());
+            if (i < 2)
+            {
+                buffers[i] = buffersIn(*contexts[i]);
+                EXPECT_GT(buffers[i], 0);
+            }
+            else if (i % 3 < 2)
+            {
+                EXPECT_EQ(buffers[i % 3], buffersIn(*contexts[i % 3])) << i;
+            }
+        }
+    }
+    // Handles come again, and with them the names of buffers and programs.
+    for (int i = 0; i < 20; ++i)
+    {
+        const TestContext context(GetParam());
+        const BoundState state(context, false);
+        for (int k = 0; k < 1 + i % 2; ++k)
+        {
+            EXPECT_EQ(expected, houghLines()) << i;
+            state.check();
+        }
+    }
+    std::vector<std::thread> threads;
+    std::vector<std::vector<Lines>> lines(3);
+    for (std::vector<Lines>& ofThread : lines)
+        threads.push_back(std::thread(
+            [&]()
+            {
+                for (int round = 0; round < 3; ++round)
+                    ofThread.push_back(houghLines());
+            }));
+    for (std::thread& thread : threads)
+        thread.join();
+    for (const std::vector<Lines>& ofThread : lines)
+        EXPECT_EQ(std::vector<Lines>(3, expected), ofThread);
 }
 
 size_t residentBytes()

@@ -29,6 +29,14 @@ void requireBackend(int backend);
 
 const char* backendName(int backend);
 
+//! The back end of the process, as long as it lives. A named device must not fail.
+class DefaultBackend
+{
+public:
+    explicit DefaultBackend(int backend) { setDefaultBackend(backend); }
+    ~DefaultBackend() { setDefaultBackend(BACKEND_AUTO); }
+};
+
 /** Ends the calling test as skipped, with the reason. With LINESPACE_REQUIRE_BACKENDS=1 in the
 environment, as continuous integration sets it, it fails instead: nothing that is missing goes
 unnoticed there. */
