@@ -30,7 +30,7 @@ ls::Wanted allUpTo(int most)
     ls::Wanted wanted;
     wanted.threshold = 0;
     wanted.most = most;
-    wanted.leastVotesDecide = true;
+    wanted.ends = 0;
     return wanted;
 }
 
@@ -152,7 +152,8 @@ Way histogramWay(Input& input, const std::vector<Candidate>& expected, int most)
     {
         // Its time ends where the candidates would be counted.
         search->maxima.find(
-            input.device, input.edges, *input.plan, bufferOf(input.last()), allUpTo(most), -1,
+            input.device, input.edges, *input.plan, bufferOf(input.last()), allUpTo(most),
+            cv::linespace::SUPPRESS_RING, -1,
             [&](const GlBuffer&, int, bool) { input.device.stamp(); }, search->found);
     };
     const auto isRight = [search, expected]()
