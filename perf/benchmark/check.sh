@@ -33,8 +33,8 @@ done
 if ! grep -q '^opengl,' "$folder/times.csv"; then
     echo "check.sh: no OpenGL"
     [[ ${LINESPACE_REQUIRE_BACKENDS:-} != 1 ]]
-elif [[ ! -s $folder/table-opengl.csv ]]; then
-    echo "check.sh: no table-opengl.csv" >&2
+elif [[ ! -s $folder/table-opengl.csv ]] || ! grep -q '^| OpenGL | .*, OpenGL ' "$folder/results.md"; then
+    echo "check.sh: no table-opengl.csv, or no renderer" >&2
     exit 1
 fi
 grep -Eq '^lines of every timed call .*,yes$' "$folder/table-requirements.csv"

@@ -9,6 +9,8 @@
 
 #include "support/machine.hpp"
 
+#include "test_gl.hpp"
+
 #include "opencv2/core/ocl.hpp"
 
 #include <CLI/CLI.hpp>
@@ -35,6 +37,7 @@ void writeMachine(const Settings& settings, const std::string& newerVersion)
     json["opencv"] = cv::getVersionString();
     json["newer_opencv"] = newerVersion;
     json["opencl"] = isOpenClThere() ? cv::ocl::Device::getDefault().name() : "";
+    json["opengl"] = opencv_test::headlessRenderer();
     json["commit"] = support::commit();
     json["turns"] = settings.turns;
     json["budget_milliseconds"] = settings.budget;

@@ -23,6 +23,7 @@ HEAD = """# Times beside other methods
 | compiler, instruction set | {compiler}, {instruction_set} |
 | other OpenCV | {newer_opencv} |
 | OpenCL device | {opencl} |
+| OpenGL | {opengl} |
 | sources | {commit} |
 | date | {date} |
 | command | `{command}` |
@@ -58,8 +59,8 @@ def head(machine, command):
                        for name, cache in machine["caches"].items())
     date = datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d %H:%M UTC")
     values = dict(machine, caches=caches, date=date, command=command)
-    for key in ("newer_opencv", "opencl"):
-        values[key] = values[key] or "none in this run"
+    for key in ("newer_opencv", "opencl", "opengl"):
+        values[key] = values.get(key) or "none in this run"
     text = HEAD.format(**values)
     if machine["quick"]:
         text += ("\n**This is a quick run: it shows that everything works, its times mean "

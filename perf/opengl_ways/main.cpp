@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// Times ways to merge, to find the strongest maxima and to sort candidates by OpenGL beside what the
-// library does, and checks that they give the same. Prints a table in markdown.
+// Times ways to merge, to find the strongest maxima and to sort candidates by OpenGL beside what
+// the library does, and checks that they give the same. Prints a table in markdown.
 
 #include "ways.hpp"
 

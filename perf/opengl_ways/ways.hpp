@@ -46,8 +46,8 @@ struct Way
 
 std::vector<Way> mergeWays(Input& input);
 
-/** The strongest local maxima among parallel chords, and the strongest chords whose neighbourhoods are
-deleted.
+/** The strongest local maxima among parallel chords, and the strongest chords whose neighbourhoods
+are deleted.
 @param isSlow whether to add those ways that look at the whole table for each maximum. */
 std::vector<Way> maximaWays(Input& input, int most, bool isSlow);
 

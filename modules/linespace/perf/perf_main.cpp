@@ -4,7 +4,17 @@
 
 #include "perf_precomp.hpp"
 
+#include "../test/test_gl.cpp" // in OpenCV's tree this folder is all that is compiled
+
 // --perf_impl: what perf_implementations.cpp runs.
 static const char* implementations[] = {"plain", "opencl", "opengl"};
 
-CV_PERF_TEST_MAIN_WITH_IMPLS(linespace, implementations)
+//! As OpenCV's harness does for OpenCL.
+static void tellOpenGl()
+{
+    const std::string renderer = opencv_test::headlessRenderer();
+    std::cout << "[ INFO ] OpenGL: " << renderer << std::endl;
+    testing::Test::RecordProperty("cv_opengl", renderer);
+}
+
+CV_PERF_TEST_MAIN_WITH_IMPLS(linespace, implementations, tellOpenGl())

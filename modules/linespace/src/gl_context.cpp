@@ -43,7 +43,10 @@ enum
     EGL_CONTEXT_OPENGL_PROFILE_MASK = 0x30FD,
     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT = 1,
     EGL_PLATFORM_DEVICE = 0x313F,
+    EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT = 0x3138,
     EGL_CONTEXT_OPENGL_DEBUG = 0x31B0,
+    EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY = 0x31BD,
+    EGL_LOSE_CONTEXT_ON_RESET = 0x31BF,
     EGL_PLATFORM_SURFACELESS = 0x31DD
 };
 
@@ -204,6 +207,11 @@ bool createOn(EGLDisplay display, bool isEmbedded, EGLContext& context, EGLSurfa
 #ifdef _DEBUG
     set(EGL_CONTEXT_OPENGL_DEBUG, 1);
 #endif
+    // Else nobody would be told that results are lost.
+    if (hasWord(extensions, "EGL_EXT_create_context_robustness"))
+        set(isEmbedded ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT
+                       : EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+            EGL_LOSE_CONTEXT_ON_RESET);
     attributes.push_back(EGL_NONE);
     context = egl().eglCreateContext(display, config, 0, attributes.data());
     if (!context)

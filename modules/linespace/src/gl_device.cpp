@@ -120,8 +120,8 @@ GlDevice::GlDevice(GlContext&& context)
 {
     binding_.reset(new GlBinding(context_));
     gl_.load(context_.functions());
-    while (gl_.GetError() != gl::NO_ERROR) // whose they are is not known
-        continue;
+    gl_.GetGraphicsResetStatus = 0; // until it is known that the context has it
+    dropErrors();                   // whose they are is not known
     const char* const version = (const char*)call("glGetString", gl_.GetString, gl::VERSION);
     isEmbedded_ = version && std::strncmp(version, "OpenGL ES", 9) == 0;
     gl::GLint major = 0, minor = 0, blocks = 0, alignment = 0, groups = 0;
@@ -131,6 +131,9 @@ GlDevice::GlDevice(GlContext&& context)
         throw DeviceFailure(format("the current context is of %s: must be OpenGL 4.3 or OpenGL ES "
                                    "3.1, or later",
                                    version ? version : "no version"));
+    if (10 * major + minor >= (isEmbedded_ ? 32 : 45))
+        gl_.load(context_.functions());
+    checkReset();
     gl::GLint64 blockBytes = 0;
     call("glGetInteger64v", gl_.GetInteger64v, gl::MAX_SHADER_STORAGE_BLOCK_SIZE, &blockBytes);
     call("glGetIntegerv", gl_.GetIntegerv, gl::MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &blocks);
@@ -230,17 +233,14 @@ String GlDevice::renderer()
 void GlDevice::begin()
 {
     if (isLost_)
-        throw DeviceFailure("the context was destroyed");
+        throw DeviceFailure("the context is lost");
     binding_.reset(new GlBinding(context_));
     try
     {
-        while (gl_.GetError() != gl::NO_ERROR)
-            continue;
+        dropErrors();
+        checkReset();
         if (isCallers() && !hasMark())
-        {
-            isLost_ = true;
-            throw DeviceFailure("the context was destroyed");
-        }
+            lose("the context was destroyed");
         freeDiscarded();
         stamps_ = 0;
     }
@@ -280,11 +280,38 @@ bool GlDevice::hasMark()
     const bool isSame = value && std::memcmp(value, markValue_, sizeof(markValue_)) == 0;
     if (value)
         gl_.UnmapBuffer(gl::SHADER_STORAGE_BUFFER);
-    while (gl_.GetError() != gl::NO_ERROR) // of a buffer of somebody else
-        continue;
+    dropErrors(); // of a buffer of somebody else
     if (!isSame)
         restore();
     return isSame;
+}
+
+//! Those of others. A context that is lost may give one for ever.
+void GlDevice::dropErrors()
+{
+    const int most = 1000;
+    for (int i = 0; i < most; ++i)
+    {
+        const gl::GLenum error = gl_.GetError();
+        if (error == gl::NO_ERROR)
+            return;
+        if (error == gl::CONTEXT_LOST)
+            break;
+    }
+    lose("the context is lost");
+}
+
+//! A reset may be told in no other way.
+void GlDevice::checkReset()
+{
+    if (gl_.GetGraphicsResetStatus && gl_.GetGraphicsResetStatus() != gl::NO_ERROR)
+        lose("the context is lost by a reset");
+}
+
+void GlDevice::lose(const char* reason)
+{
+    isLost_ = true;
+    throw DeviceFailure(reason);
 }
 
 void GlDevice::discard(gl::GLuint buffer)
@@ -305,8 +332,11 @@ void GlDevice::freeDiscarded()
 void GlDevice::check(const char* name)
 {
     const gl::GLenum error = gl_.GetError();
+    isLost_ = isLost_ || error == gl::CONTEXT_LOST;
     if (error == gl::NO_ERROR || std::uncaught_exception())
         return;
+    if (isLost_)
+        lose("the context is lost by a reset");
     throw DeviceFailure(format("%s failed with OpenGL error 0x%04x%s%s", name, error,
                                error == gl::OUT_OF_MEMORY ? ", out of memory" : "",
                                messages().c_str()));
@@ -512,6 +542,7 @@ void GlDevice::finish()
     if (state == gl::WAIT_FAILED)
         throw DeviceFailure("glClientWaitSync failed");
     isBusy_ = false;
+    checkReset();
 }
 
 const void* GlDevice::map(const GlBuffer& buffer, size_t offset, size_t bytes)

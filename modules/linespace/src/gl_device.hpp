@@ -149,6 +149,9 @@ private:
 
     explicit GlDevice(GlContext&& context);
     friend class GlBuffer;
+    void dropErrors();
+    void checkReset();
+    [[noreturn]] void lose(const char* reason);
     void discard(gl::GLuint buffer);
     void freeDiscarded();
     void markContext();
@@ -185,7 +188,7 @@ private:
     GlContext context_;
     gl::Functions gl_;
     bool isEmbedded_;
-    bool isLost_; //!< the caller has destroyed the context
+    bool isLost_; //!< the caller has destroyed the context, or a reset has
     bool isBusy_; //!< with launches, as far as is known
     GlLimits limits_;
     std::map<std::pair<const char*, std::string>, gl::GLuint> programs_; //!< by source and options
@@ -206,9 +209,9 @@ private:
 class GlLaunch
 {
 public:
-    /** @param options what its source is compiled after: lines that define macros. Of some of them it
-    uses a text that goes before it: windows.glsl of WINDOWS, ring.glsl of RING_RADIUS, children.glsl
-    of CHILD_BITS. */
+    /** @param options what its source is compiled after: lines that define macros. Some of them
+    stand for a text that goes before it: WINDOWS for windows.glsl, RING_RADIUS for ring.glsl,
+    CHILD_BITS for children.glsl. */
     GlLaunch(GlDevice& device, GlProgram program, const std::string& options);
     //! @param source of a shader that is none of glsl/; a program is kept by its address.
     GlLaunch(GlDevice& device, const char* source, const std::string& options);

@@ -37,6 +37,7 @@ enum
 {
     NO_ERROR = 0,
     OUT_OF_MEMORY = 0x0505,
+    CONTEXT_LOST = 0x0507,
     TEXTURE_2D = 0x0DE1,
     TEXTURE_WIDTH = 0x1000,
     TEXTURE_HEIGHT = 0x1001,
@@ -135,12 +136,14 @@ enum
     F(void, GenQueries, (GLsizei, GLuint*))                                                        \
     F(void, DeleteQueries, (GLsizei, const GLuint*))
 
-//! What some lack: of OpenGL ES, the first two are in extensions.
+//! What some lack: of OpenGL ES, the first two are in extensions; the last is of OpenGL 4.5 and
+//! ES 3.2.
 #define LINESPACE_GL_OPTIONAL_FUNCTIONS(F)                                                         \
     F(void, QueryCounter, (GLuint, GLenum))                                                        \
     F(void, GetQueryObjectui64v, (GLuint, GLenum, GLuint64*))                                      \
     F(void, Enable, (GLenum))                                                                      \
-    F(void, DebugMessageCallback, (GLDEBUGPROC, const void*))
+    F(void, DebugMessageCallback, (GLDEBUGPROC, const void*))                                      \
+    F(GLenum, GetGraphicsResetStatus, ())
 
 //! Finds a function of OpenGL by its name; null if there is none.
 typedef void* (*FindFunction)(const char* name);

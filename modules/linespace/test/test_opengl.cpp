@@ -597,7 +597,7 @@ TEST_P(Linespace_OpenGl_Context, the_drop_in_goes_along_with_contexts)
         TestContext first(GetParam()), second(!GetParam());
         TestContext* const contexts[] = {&first, &second};
         int buffers[2];
-        for (int i = 0; i < 9; ++i)
+        for (int i = 0; i < 6; ++i)
         {
             if (i % 3 < 2)
                 contexts[i % 3]->makeCurrent();
@@ -618,7 +618,7 @@ TEST_P(Linespace_OpenGl_Context, the_drop_in_goes_along_with_contexts)
         }
     }
     // Handles come again, and with them the names of buffers and programs.
-    for (int i = 0; i < 20; ++i)
+    for (int i = 0; i < 6; ++i)
     {
         const TestContext context(GetParam());
         const BoundState state(context, false);
@@ -634,13 +634,13 @@ TEST_P(Linespace_OpenGl_Context, the_drop_in_goes_along_with_contexts)
         threads.push_back(std::thread(
             [&]()
             {
-                for (int round = 0; round < 3; ++round)
+                for (int round = 0; round < 2; ++round)
                     ofThread.push_back(houghLines());
             }));
     for (std::thread& thread : threads)
         thread.join();
     for (const std::vector<Lines>& ofThread : lines)
-        EXPECT_EQ(std::vector<Lines>(3, expected), ofThread);
+        EXPECT_EQ(std::vector<Lines>(2, expected), ofThread);
 }
 
 size_t residentBytes()

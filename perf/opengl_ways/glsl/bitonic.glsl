@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// Sorts candidates, threes (votes, s, e), in the total order of peaks.hpp: a bitonic network. Their
-// number is a power of two and at least BLOCK; what fills it up has fewer votes than any.
+// Sorts candidates, threes (votes, s, e), in the total order of peaks.hpp: a bitonic network.
+// Their number is a power of two and at least BLOCK; what fills it up has fewer votes than any.
 //
 // One of BLOCKS, STEP, MERGE: what it is compiled for. Blocks of BLOCK are sorted, and merged in the
 // end, in the memory of a group.

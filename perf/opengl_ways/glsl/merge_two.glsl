@@ -32,7 +32,8 @@ struct Between
 Between betweenOf(int at, bool isSecond, int i, int k)
 {
     at += isSecond ? 4 : 0;
-    ivec4 f[4] = ivec4[4](rectangles[at], rectangles[at + 1], rectangles[at + 2], rectangles[at + 3]);
+    ivec4 f[4] =
+        ivec4[4](rectangles[at], rectangles[at + 1], rectangles[at + 2], rectangles[at + 3]);
     /* 0: crosses, cell, part, step of i. 1: change, part, step of k, change. 2, 3: ends. */
     bool isSum = f[0].x != 0;
     int m = isSum ? crossingOf(f[2], f[3], i, k, f[0].y == 0) : 0;

@@ -6,8 +6,8 @@
 // radix sort from the lowest digit of four bits on, which keeps the order of equal digits, so that
 // the result is in the total order of peaks.hpp.
 //
-// One of COUNT, SCAN, SCATTER: what it is compiled for, launched one after the other for each digit.
-// A tile is of GROUP candidates.
+// One of COUNT, SCAN, SCATTER: what it is compiled for, launched one after the other for each
+// digit. A tile is of GROUP candidates.
 
 layout(std430, binding = 0) buffer Counts { int counts[]; }; /* by digits, then tiles */
 
