@@ -30,7 +30,6 @@ ls::Wanted allUpTo(int most)
     ls::Wanted wanted;
     wanted.threshold = 0;
     wanted.most = most;
-    wanted.ends = 0;
     return wanted;
 }
 

@@ -20,7 +20,8 @@ if [[ $said == *"no OpenGL 4.3"* || $said == *"EGL cannot"* || $said == *"o disp
 fi
 [[ $status == 0 ]]
 # At least ten lines in a frame of some dozens of edges.
-[[ $said =~ 3\ frames,\ ([0-9]+)\ lines ]] && ((BASH_REMATCH[1] >= 30))
+[[ $said =~ 3\ frames,\ ([0-9]+)\ lines ]]
+((BASH_REMATCH[1] >= 30))
 [[ -s $folder/frame000.png && -s $folder/frame002.png ]]
 "$program" "$folder/video.avi" --frames=2 >/dev/null
 [[ -s $folder/video.avi ]]

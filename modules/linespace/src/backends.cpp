@@ -40,6 +40,14 @@ Ptr<Executor> create(int backend)
                                         : createCpuExecutor();
 }
 
+Ptr<Executor> usableOf(const std::vector<Ptr<Executor>>& executors, int backend)
+{
+    for (const Ptr<Executor>& executor : executors)
+        if (executor && executor->backend() == backend && executor->isUsable())
+            return executor;
+    return Ptr<Executor>();
+}
+
 } // namespace
 
 void setDefaultBackend(int backend)
@@ -65,7 +73,7 @@ int chosenBackend(int backend, bool isUMat)
     return backend != BACKEND_AUTO && isAvailable(backend) ? backend : (int)BACKEND_CPU;
 }
 
-Ptr<Executor> executorFor(int backend, bool isUMat, const Ptr<Executor>& kept)
+Ptr<Executor> executorFor(int backend, bool isUMat, const std::vector<Ptr<Executor>>& kept)
 {
     const bool isNamed = backend != BACKEND_AUTO;
     backend = chosenBackend(backend, isUMat);
@@ -73,8 +81,9 @@ Ptr<Executor> executorFor(int backend, bool isUMat, const Ptr<Executor>& kept)
         CV_Error(Error::OpenCLInitError,
                  "backend = BACKEND_OPENCL: OpenCV uses no OpenCL device here "
                  "(cv::ocl::useOpenCL() is false); must be another one");
-    if (kept && kept->backend() == backend && kept->isUsable())
-        return kept;
+    const Ptr<Executor> found = usableOf(kept, backend);
+    if (found)
+        return found;
     try
     {
         return create(backend);
@@ -83,7 +92,8 @@ Ptr<Executor> executorFor(int backend, bool isUMat, const Ptr<Executor>& kept)
     {
         if (isNamed)
             return substituteFor(backend, failure);
-        return kept && kept->backend() == BACKEND_CPU ? kept : createCpuExecutor();
+        const Ptr<Executor> other = usableOf(kept, BACKEND_CPU);
+        return other ? other : createCpuExecutor();
     }
 }
 

@@ -19,9 +19,9 @@ int chosenBackend(int backend, bool isUMat);
 /** The executor of a back end.
 @param backend one of enum Backend.
 @param isUMat whether the edge map is a UMat.
-@param kept an executor from an earlier call, returned again if it is of the right kind; may be
-empty. Throws cv::Exception with the reason if a back end that was named cannot run. */
-Ptr<Executor> executorFor(int backend, bool isUMat, const Ptr<Executor>& kept);
+@param kept executors from earlier calls, of which one is returned again if it is of the right kind;
+each may be empty. Throws cv::Exception with the reason if a back end that was named cannot run. */
+Ptr<Executor> executorFor(int backend, bool isUMat, const std::vector<Ptr<Executor>>& kept);
 
 //! The CPU's executor, in place of a device that failed, with a warning; throws if the device was
 //! asked for by name, for the call or for the process.
@@ -59,13 +59,6 @@ Ptr<Executor> runOn(int backend, Ptr<Executor> executor, Work work)
         work(*executor);
     }
     return executor;
-}
-
-//! The same with the executor of a back end.
-template<class Work>
-Ptr<Executor> runOn(int backend, bool isUMat, const Ptr<Executor>& kept, Work work)
-{
-    return runOn(backend, executorFor(backend, isUMat, kept), work);
 }
 
 } // namespace linespace

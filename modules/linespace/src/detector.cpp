@@ -57,12 +57,14 @@ void writeCell(const VoteTable& table, const Cell& cell, size_t cellIndex, Mat o
 }
 
 const int MOST_PRUNED_RADIUS = 4;
+const size_t MOST_FAILED_SIZES = 16;
+const int LIST_PAUSE = 16;
 
 class LineSpaceDetectorImpl CV_FINAL : public LineSpaceDetector
 {
 public:
     explicit LineSpaceDetectorImpl(const Parameters& parameters)
-        : parameters_(parameters), maskContext_(0), activeBackend_(-1)
+        : parameters_(parameters), executors_(BACKEND_OPENGL + 1), activeBackend_(-1), listPause_(0)
     {
     }
 
@@ -86,7 +88,7 @@ public:
         Counting counting;
         EdgeMap map;
         Size size;
-        counting.executor = executorFor(BACKEND_OPENGL, false, executors_[BACKEND_OPENGL]);
+        counting.executor = executorFor(BACKEND_OPENGL, false, executors_);
         try
         {
             {
@@ -186,7 +188,6 @@ public:
 
     void setMask(InputArray mask) CV_OVERRIDE
     {
-        maskOnDevice_.release();
         if (mask.empty())
         {
             mask_.release();
@@ -222,18 +223,16 @@ public:
     void clear() CV_OVERRIDE
     {
         plan_.reset();
-        for (Ptr<Executor>& executor : executors_)
-            executor.reset();
+        tables_.release(); // before the device that they are on
+        executors_.assign(executors_.size(), Ptr<Executor>());
         images_ = Images();
-        maskOnDevice_.release();
-        tables_.release();
         bundles_.clear();
         planes_.clear();
         left_.clear();
         bits_.clear();
         squares_.clear();
         angleEnds_ = AngleEnds();
-        longList_ = std::pair<Size, int>();
+        listPause_ = 0;
         deviations_.clear();
         stageTimes_ = StageTimes();
         activeBackend_ = -1;
@@ -376,17 +375,7 @@ private:
         checkImage(input.edges, "edges");
         prepare("edges", input.edges.size(), input.gradients, level, writesTable, edges, counting);
         edges.source = onDevice(input.edges);
-        if (edges.source.empty() || mask_.empty() ||
-            chosenBackend(parameters_.backend, true) != BACKEND_OPENCL)
-            return;
-        void* const context = ocl::Context::getDefault().ptr();
-        if (maskOnDevice_.empty() || maskContext_ != context)
-        {
-            maskOnDevice_.release();
-            mask_.copyTo(maskOnDevice_);
-            maskContext_ = context;
-        }
-        edges.sourceMask = maskOnDevice_;
+        edges.mask = mask_;
     }
 
     //! The same but for what an edge map has on OpenCV's device.
@@ -507,11 +496,8 @@ private:
             parameters_.backend == BACKEND_AUTO && getDefaultBackend() == BACKEND_AUTO &&
             std::find(failedSizes_.begin(), failedSizes_.end(), size) != failedSizes_.end();
         if (!counting.executor)
-        {
-            const int backend = avoidsDevice ? (int)BACKEND_CPU : parameters_.backend;
-            counting.executor =
-                executorFor(backend, isUMat, executors_[chosenBackend(backend, isUMat)]);
-        }
+            counting.executor = executorFor(avoidsDevice ? (int)BACKEND_CPU : parameters_.backend,
+                                            isUMat, executors_);
         const Ptr<Executor> first = counting.executor;
         counting.executor = runOn(parameters_.backend, counting.executor,
                                   [&](Executor& executor)
@@ -525,6 +511,8 @@ private:
                                   });
         if (counting.executor == first)
             return;
+        if (failedSizes_.size() == MOST_FAILED_SIZES)
+            failedSizes_.erase(failedSizes_.begin());
         failedSizes_.push_back(size);
         executors_[first->backend()].reset();
     }
@@ -796,9 +784,8 @@ private:
                        isInInterval(frame, angles, candidate.chord());
             };
         wanted.leastVotes = requirement.leastVotes(ratio);
-        const bool isDevice =
-            executor.backend() == BACKEND_OPENCL || executor.backend() == BACKEND_OPENGL;
-        wanted.ends = isDevice && !angles.isFull() ? &angleEnds_.of(frame, angles) : 0;
+        if (executor.isDevice() && !angles.isFull())
+            wanted.ends = &angleEnds_.of(frame, angles);
         const int last = plan.levelCount() - 1, radius = parameters_.suppressionRadius;
         const int climbingRadius = candidatesClimb() ? -1 : radius;
         std::vector<Candidate> found;
@@ -846,17 +833,18 @@ private:
 
     /** What one chord keeps depends on all stronger ones: by the host, from those that the device finds
     above the threshold. Returns false if it finds none, or so many that they are hardly fewer bytes
-    than its table, which is not tried again with the next image. */
+    than its table; then the next images are not tried. */
     bool suppressGreedily(Executor& executor, const EdgeMap& edges, const Plan& plan,
                           const Wanted& wanted, std::vector<Candidate>& found)
     {
-        const std::pair<Size, int> key(plan.imageSize(), wanted.threshold);
-        if (longList_ == key)
+        if (listPause_ > 0)
+        {
+            --listPause_;
             return false;
+        }
         Wanted all;
         all.threshold = wanted.threshold;
         all.most = plan.frame().chordCount() / 8;
-        all.ends = 0;
         std::vector<Candidate> above;
         bool areCounted = false;
         if (!executor.findMaxima(edges, plan, tables_.of(plan.levelCount() - 1), all, SUPPRESS_RING,
@@ -864,7 +852,7 @@ private:
             return false;
         if (above.size() == all.most)
         {
-            longList_ = key;
+            listPause_ = LIST_PAUSE;
             return false;
         }
         found = greedyCandidates(above, plan.frame(), wanted, parameters_.suppressionRadius);
@@ -956,13 +944,12 @@ private:
 
     Parameters parameters_;
     Mat mask_;
-    UMat maskOnDevice_; // empty until it is needed
-    void* maskContext_; // of OpenCL, where it is
     Ptr<const Plan> plan_;
     int planMethod_, planCellSize_;
-    Ptr<Executor> executors_[BACKEND_OPENGL + 1]; // by back end, of those that were used
+    std::vector<Ptr<Executor>> executors_; // by back end, of those that were used
     int activeBackend_;
-    std::vector<Size> failedSizes_; // for which a device failed: it is not tried again and again
+    std::vector<Size>
+        failedSizes_; // the last ones for which a device failed: it is not tried again and again
     Images images_;
     VoteTables tables_;
     BundleSearch bundles_;
@@ -970,7 +957,7 @@ private:
     EdgeBits bits_;            // in their place, where the map stays on a device
     VoteSquares squares_;
     AngleEnds angleEnds_;
-    std::pair<Size, int> longList_; // size and threshold: see suppressGreedily
+    int listPause_;                 // images to come that suppressGreedily does not try
     std::vector<Vec3f> deviations_; // of the lines of the last detect
     StageTimes stageTimes_;         // of the last call
 };

@@ -57,8 +57,7 @@ PooledExecutor takeExecutor(int backend)
 
 void giveExecutor(const PooledExecutor& pooled)
 {
-    const int backend = pooled.executor->backend();
-    if (backend != BACKEND_OPENCL && backend != BACKEND_OPENGL)
+    if (!pooled.executor->isDevice())
         return;
     if (isLarge(pooled.tables->of(0)) || isLarge(pooled.tables->of(1)))
         pooled.tables->release();

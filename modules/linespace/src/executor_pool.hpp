@@ -23,8 +23,8 @@ struct PooledExecutor
 //! in any case; it is the caller's alone.
 PooledExecutor takeExecutor(int backend);
 
-//! Keeps the executor of a device for a later call, without the map that it counted, and its
-//! tables, if they are not very large. One whose call threw is better dropped.
+//! Keeps the executor of a device for a later call, and its tables, if they are not very large. One
+//! whose call threw is better dropped.
 void giveExecutor(const PooledExecutor& pooled);
 
 } // namespace linespace

@@ -92,7 +92,6 @@ public:
     //! Then: whether it is the same context still.
     bool works();
     bool isCallers() const { return context_.isCallers(); }
-    bool isEmbedded() const { return isEmbedded_; }
     const GlLimits& limits() const { return limits_; }
     //! What the driver calls itself; between begin() and end().
     String renderer();

@@ -66,7 +66,7 @@ bool GlMaxima::find(GlDevice& device, const EdgeMap& edges, const Plan& plan, co
     const bool isRequired = !requirement.empty();
     const size_t windows =
         (tableBytes + device.limits().blockBytes - 1) / device.limits().blockBytes;
-    if ((int)windows + (isRequired ? 3 : 2) > device.limits().blocks)
+    if ((int)windows + 3 > device.limits().blocks)
         return false;
     const int chords = (int)frame.chordCount(), tiles = chords / TILE + (chords % TILE > 0);
     const int most = (int)std::min<size_t>(wanted.most, chords);

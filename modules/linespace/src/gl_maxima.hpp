@@ -25,8 +25,8 @@ public:
     @param table a word for each chord.
     @param count queues what is done with the candidates, buffer and room, before they are read; once
     more, with true, as long as some of them have negative votes.
-    @return false if it is asked for those that the requirement of several directions or an interval
-    of angles leaves, or if the table or the maxima are too large for the device's blocks. */
+    @return false if the table, the maxima or what is required are too large for the device's blocks,
+    of which the table and three others are used. */
     bool find(GlDevice& device, const EdgeMap& edges, const Plan& plan, const GlBuffer& table,
               const Wanted& wanted, int suppression, int radius,
               const std::function<void(const GlBuffer&, int, bool)>& count,

@@ -92,7 +92,8 @@ std::vector<GridLine> countedLines(InputArray image, bool weighted, const HoughG
         if (!executor.countGridLines(edges, *plan, grid, threshold, found))
             countOnHost(executor, edges, *plan, grid, threshold, *pooled.tables, found);
     };
-    pooled.executor = runOn(BACKEND_AUTO, image.isUMat(), pooled.executor, count);
+    const Ptr<Executor> executor = executorFor(BACKEND_AUTO, image.isUMat(), {pooled.executor});
+    pooled.executor = runOn(BACKEND_AUTO, executor, count);
     giveExecutor(pooled);
     return found;
 }

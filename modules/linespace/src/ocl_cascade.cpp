@@ -400,12 +400,26 @@ private:
             return votes;
         }
         votes.image = edges.source;
-        votes.mask = edges.sourceMask;
+        if (!edges.mask.empty())
+            votes.mask = maskOnDevice(edges.mask);
         if (!edges.weighted)
             votes.options += " -D BINARY";
         if (!votes.mask.empty())
             votes.options += " -D MASKED";
         return votes;
+    }
+
+    //! A mask of the host, which is copied once.
+    const UMat& maskOnDevice(const Mat& mask)
+    {
+        if (mask_.data != mask.data)
+        {
+            mask_.release();
+            copyOnDevice([&]() { mask.copyTo(maskOnDevice_); });
+            checkIsOnDevice(maskOnDevice_);
+            mask_ = mask;
+        }
+        return maskOnDevice_;
     }
 
     /** Puts the tables of a plan first. Each thread has a queue of its own: what another one still has
@@ -495,6 +509,8 @@ private:
     ocl::Queue queue_;            //!< of the thread that worked last
     std::list<PlanTables> plans_; //!< that used last first
     UMat votes_, directions_;     //!< the edge map, where it was on the host
+    Mat mask_;                    //!< what maskOnDevice_ holds
+    UMat maskOnDevice_;
     UMat gathered_, gatheredDirections_;
     UMat chords_, sums_; //!< of rescore
     UMat between_;       //!< the table of the last level but one, where it is pruned

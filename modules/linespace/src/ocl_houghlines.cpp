@@ -11,7 +11,6 @@
 #include "ocl_launch.hpp"
 
 #include <climits>
-#include <cstring>
 
 namespace cv {
 namespace linespace {
@@ -33,18 +32,6 @@ const int MOST_KEPT_BYTES = 256 * (1 << 20);
 
 //! Local memory that is not for bins.
 const size_t LOCAL_REST = 1024;
-
-//! Uploads what is not there already.
-template<class Element>
-void uploadNew(const std::vector<Element>& list, std::vector<Element>& known, UMat& memory)
-{
-    const size_t bytes = list.size() * sizeof(Element);
-    if (list.size() == known.size() && !std::memcmp(list.data(), known.data(), bytes))
-        return;
-    known.clear();
-    upload(list, memory);
-    known = list;
-}
 
 String commonOptions()
 {

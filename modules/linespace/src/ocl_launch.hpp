@@ -12,6 +12,7 @@
 
 #include <opencv2/core/ocl.hpp>
 
+#include <cstring>
 #include <functional>
 
 namespace cv {
@@ -37,6 +38,19 @@ template<class Element>
 void upload(const std::vector<Element>& from, UMat& memory)
 {
     uploadBytes(from.data(), from.size() * sizeof(Element), memory);
+}
+
+/** Uploads a list, unless the memory has it already.
+@param known what it has. An upload waits for what is queued. */
+template<class Element>
+void uploadNew(const std::vector<Element>& list, std::vector<Element>& known, UMat& memory)
+{
+    const size_t bytes = list.size() * sizeof(Element);
+    if (list.size() == known.size() && !std::memcmp(list.data(), known.data(), bytes))
+        return;
+    known.clear();
+    upload(list, memory);
+    known = list;
 }
 
 //! Waits for the device.

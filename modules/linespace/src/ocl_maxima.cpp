@@ -60,10 +60,10 @@ void DeviceMaxima::find(const EdgeMap& edges, const Plan& plan, const VoteTable&
         std::vector<int> leastVotes;
         for (const std::vector<int>& byLength : wanted.leastVotes)
             leastVotes.insert(leastVotes.end(), byLength.begin(), byLength.end());
-        upload(leastVotes, leastVotes_);
+        uploadNew(leastVotes, leastVotesList_, leastVotes_);
     }
     if (wanted.ends)
-        upload(*wanted.ends, ends_);
+        uploadNew(*wanted.ends, endsList_, ends_);
     radius = mostRadius(frame, radius);
     String options = format("-D VOTES=%s -D RADIUS=%d -D GROUP=%d", typeOf(table.depth), radius,
                             (int)Launch::GROUP);

@@ -38,8 +38,10 @@ public:
 
 private:
     UMat histogram_, numbers_, leastVotes_, ends_;
-    UMat masks_;  //!< which chords of a run of the table are maxima
-    UMat counts_; //!< of maxima of tiles of the table
+    std::vector<int> leastVotesList_; //!< what leastVotes_ holds
+    std::vector<Vec4i> endsList_;     //!< and ends_
+    UMat masks_;                      //!< which chords of a run of the table are maxima
+    UMat counts_;                     //!< of maxima of tiles of the table
     UMat maxima_;
     int room_; //!< for so many, where all are asked for
     //! What cut the last image should have begun with, -1: there was none. The next one of a video

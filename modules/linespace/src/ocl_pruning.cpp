@@ -95,12 +95,6 @@ bool DevicePruning::isWorthATry()
     return false;
 }
 
-void DevicePruning::reset()
-{
-    base_ = -1;
-    pause_ = rest_ = 0;
-}
-
 void DevicePruning::learn(int neededCount)
 {
     const double blocks = (double)levels_[top_].coarse.chordCount();

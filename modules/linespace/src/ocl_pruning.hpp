@@ -41,9 +41,6 @@ public:
     //! Whether to try; not if most blocks were needed for the images before.
     bool isWorthATry();
 
-    //! Forgets what is known of another plan.
-    void reset();
-
     /** Bounds of all blocks from the base level's table to the last one.
     @param table must stay as it is until the last count(). */
     void bound(const Plan& plan, int base, const VoteTable& table);
@@ -73,7 +70,6 @@ private:
         BlockLevel() : cells(0), longestRow(0), rowCount(0) {}
     };
     void list(const Plan& plan, int base);
-    void queueBounds();
 
     BlockLevel levels_[MOST_LEVELS + 1]; //!< from the base level on
     int base_;                           //!< that they were listed for; -1: none

@@ -11,6 +11,7 @@
 #include "stages.hpp"
 
 #include <functional>
+#include <limits>
 
 namespace cv {
 namespace linespace {
@@ -49,6 +50,8 @@ struct Wanted
     std::vector<std::vector<int>> leastVotes;
     //! And that the chord is one of these (AngleEnds); null: of all.
     const std::vector<Vec4i>* ends;
+
+    Wanted() : threshold(0), most(std::numeric_limits<size_t>::max()), ends(0) {}
 };
 
 //! A radius, but on a ring of few points: there a neighbourhood would meet itself.

@@ -78,12 +78,13 @@ struct EdgeMap
 {
     //! May be empty if the source is not, for an executor that takes UMats, or if isTaken.
     Mat votes;
-    //! The image and the mask that the votes come from, on OpenCV's device. The image is empty if
-    //! it is not there, the mask if there is none.
-    UMat source, sourceMask;
+    //! The image that the votes come from, on OpenCV's device; empty if it is not there.
+    UMat source;
+    //! Where it counts, on the host; empty: everywhere. The votes are of that part already.
+    Mat mask;
     //! Whether the executor has the votes already, by takeTexture().
     bool isTaken;
-    int voters; //!< if isTaken, how many pixels vote; -1: that is not known
+    int voters; //!< how many pixels vote; -1: that is not known yet
     bool weighted;
     //! CV_16UC1 of the same size, continuous: a pixel votes for the chords of the bins in its bits
     //! (orientation.hpp); empty: for all.
@@ -135,6 +136,8 @@ public:
 
     //! One of enum Backend.
     virtual int backend() const = 0;
+
+    bool isDevice() const { return backend() == BACKEND_OPENCL || backend() == BACKEND_OPENGL; }
 
     //! Whether it still can run: a device may not be the one in use any more.
     virtual bool isUsable() const { return true; }

@@ -169,6 +169,18 @@ TEST_F(Linespace_OpenGl, stages_add_up_to_the_whole)
     EXPECT_GT(best, 0.8);
 }
 
+//! Of blocks of 2 MiB; of four, as opengl.few_blocks has them, one too few to find candidates there.
+TEST_F(Linespace_OpenGl, a_table_of_two_blocks)
+{
+    requireBackend(BACKEND_OPENGL);
+    const Mat1b image = randomEdges(Size(340, 330), 0.1, 3);
+    Lines lines[2];
+    detectorFor(BACKEND_CPU)->detect(image, lines[0]);
+    detectorFor(BACKEND_OPENGL)->detect(image, lines[1]);
+    EXPECT_FALSE(lines[0].empty());
+    EXPECT_EQ(lines[0], lines[1]);
+}
+
 TEST_F(Linespace_OpenGl, full_hd)
 {
     requireBackend(BACKEND_OPENGL);

@@ -278,8 +278,9 @@ public:
     /** @brief Finds the lines of an edge map that is a texture of OpenGL.
 
     For graphics applications: chords are counted and the candidates found in the caller's context,
-    where the texture is. Only a byte for each pixel and the candidates are read from there, as lines
-    are counted exactly and refined on the host. State of the context that is touched is restored:
+    where the texture is, and the candidates climb and are counted exactly. Only these and the edge
+    pixels, as bits, are read from there, as lines are refined on the host; the pixels themselves with
+    SELECT_EXPLAIN, SUPPRESS_GREEDY, or weights with threshold 0. State of the context that is touched is restored:
     the program, storage buffers and their bindings, texture unit 0 with its sampler, the active
     unit. Errors of OpenGL that are pending are lost, and commands of the caller that write the
     texture by image stores must be followed by a barrier for texture fetches.
