@@ -11,6 +11,7 @@
 #include "opencl_kernels_linespace.hpp"
 
 #include <climits>
+#include <cstdlib>
 
 namespace cv {
 namespace linespace {
@@ -52,6 +53,23 @@ const ocl::ProgramSource& sourceOf(DeviceProgram program)
     case PRUNING_PROGRAM: return pruning;
     default: return table;
     }
+}
+
+enum KernelChoice
+{
+    BY_DEVICE,
+    FOR_PROCESSORS,
+    FOR_GRAPHICS
+};
+
+KernelChoice kernelChoice()
+{
+    const char* const value = std::getenv("LINESPACE_OPENCL_KERNELS");
+    const String choice = value ? value : "";
+    if (choice != "" && choice != "processor" && choice != "graphics")
+        throw DeviceFailure("LINESPACE_OPENCL_KERNELS=" + choice +
+                            ": must be processor or graphics");
+    return choice == "processor" ? FOR_PROCESSORS : choice == "graphics" ? FOR_GRAPHICS : BY_DEVICE;
 }
 
 } // namespace
@@ -160,7 +178,9 @@ String directionBinOptions()
 
 bool isProcessor()
 {
-    return ocl::Device::getDefault().type() == ocl::Device::TYPE_CPU;
+    static const KernelChoice choice = kernelChoice();
+    return choice == BY_DEVICE ? ocl::Device::getDefault().type() == ocl::Device::TYPE_CPU
+                               : choice == FOR_PROCESSORS;
 }
 
 int asInt(double value)
