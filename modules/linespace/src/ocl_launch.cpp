@@ -35,13 +35,14 @@ const ocl::ProgramSource& sourceOf(DeviceProgram program)
 {
     using namespace ocl::linespace;
     static const ocl::ProgramSource ascent = joined({chords_oclsrc, pixels_oclsrc, ascent_oclsrc}),
-                                    cascade =
-                                        joined({chords_oclsrc, pixels_oclsrc, cascade_oclsrc}),
+                                    cascade = joined({chords_oclsrc, pixels_oclsrc, segments_oclsrc,
+                                                      cascade_oclsrc}),
                                     directions =
                                         joined({chords_oclsrc, pixels_oclsrc, directions_oclsrc}),
                                     houghlines = joined({chords_oclsrc, houghlines_oclsrc}),
                                     maxima = joined({chords_oclsrc, pixels_oclsrc, maxima_oclsrc}),
-                                    pruning = joined({chords_oclsrc, pruning_oclsrc}),
+                                    pruning =
+                                        joined({chords_oclsrc, segments_oclsrc, pruning_oclsrc}),
                                     table = joined({chords_oclsrc, table_oclsrc});
     switch (program)
     {

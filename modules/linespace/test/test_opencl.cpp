@@ -371,39 +371,6 @@ TEST_F(Linespace_OpenCl, lines_alone)
     }
 }
 
-//! Small pools of candidates, with ties at the last one, and cuts that a sample sets too high.
-TEST_F(Linespace_OpenCl, the_strongest_candidates)
-{
-    const int radii[] = {0, 1, 4, 6};
-    for (int i = 0; i < 160; ++i)
-    {
-        const Mat1b image = randomEdges(Size(40 + 13 * (i % 7), 110 - 9 * (i % 5)),
-                                        0.05 + 0.1 * (i % 4), (unsigned)i);
-        Mat1b weighted = image.clone();
-        if (i % 3 == 0)
-            cv::multiply(image, randomEdges(image.size(), 0.5, 3) + 2, weighted, 100);
-        Lines byCpu, byDevice;
-        const int backends[] = {BACKEND_CPU, BACKEND_AUTO};
-        for (int k = 0; k < 2; ++k)
-        {
-            const Ptr<LineSpaceDetector> detector = detectorFor(backends[k]);
-            detector->setThreshold(i % 2 ? 5 : 0);
-            detector->setFalseAlarms(i % 6 < 3 ? 1 : 3e4);
-            detector->setEdgeWeights(i % 3 == 0);
-            detector->setCandidateRatio(i % 8 < 4 ? 1 : 0.75);
-            detector->setSuppressionDistance(i % 9 < 4 ? 40 : 1);
-            detector->setMaxLines(i % 5 > 0 ? 1 + i % 37 : 0);
-            detector->setPoolSize(1 << i % 11);
-            detector->setSuppressionRadius(radii[i % 4]);
-            if (k == 0)
-                detector->detect(weighted, byCpu);
-            else
-                detector->detect(weighted.getUMat(ACCESS_READ), byDevice);
-        }
-        ASSERT_EQ(byCpu, byDevice) << i;
-    }
-}
-
 /** One detector for images of all kinds: it begins with what it learnt from the last one, which may
 be a cut that is much too high, or that most of the table is needed. */
 TEST_F(Linespace_OpenCl, pruned_levels)
