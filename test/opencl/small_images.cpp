@@ -5,8 +5,8 @@
 // Calls every kernel on small images and compares with the CPU path; for a simulator of devices,
 // which checks what kernels do with memory, or has limits that this machine's device has not:
 //   linespace_small_images opencl|cpu [COUNT]
-// The first argument is the back end that is to run: cpu, where the device cannot. With COUNT only so
-// many small images are taken; the larger ones, too, if these have all options.
+// The first argument is the back end that is to run: cpu, where the device cannot. With COUNT only
+// so many small images are taken; the larger ones, too, if these have all options.
 
 #include <opencv2/core/ocl.hpp>
 #include <opencv2/imgproc.hpp>

@@ -82,7 +82,15 @@ struct PlanTables
 class OpenClExecutor : public Executor
 {
 public:
-    OpenClExecutor() : context_(ocl::Context::getDefault().ptr()) {}
+    OpenClExecutor() : context_(ocl::Context::getDefault().ptr())
+    {
+        // Tables go there and back as they are in memory, masks of maxima are written by bytes and
+        // read by words, and bytes of pixels become bits of a word (searchBlocks, packRows).
+        const int one = 1;
+        const bool isHostLittle = *reinterpret_cast<const uchar*>(&one) == 1;
+        if (!isHostLittle || !ocl::Device::getDefault().endianLittle())
+            throw DeviceFailure("the host or the device does not begin numbers with the low byte");
+    }
 
     int backend() const CV_OVERRIDE { return BACKEND_OPENCL; }
 

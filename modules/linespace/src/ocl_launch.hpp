@@ -58,8 +58,8 @@ inline ocl::KernelArg inOut(const UMat& memory)
     return ocl::KernelArg::PtrReadWrite(memory);
 }
 
-//! The programs of opencl/, each after chords.cl, which all use, some after pixels.cl or segments.cl
-//! as well.
+//! The programs of opencl/, each after chords.cl, which all use, some after pixels.cl or
+//! segments.cl as well.
 enum DeviceProgram
 {
     ASCENT_PROGRAM,

@@ -52,8 +52,7 @@ BlockSegment blockSegment(const Merge& merge, int block, int s, const Segment& s
 int DevicePruning::baseLevel(const Plan& plan, bool weighted)
 {
     const int last = plan.levelCount() - 1, base = last - MOST_LEVELS;
-    if (base < 0 || plan.frame().chordCount() < LEAST_CHORDS ||
-        !ocl::Device::getDefault().endianLittle())
+    if (base < 0 || plan.frame().chordCount() < LEAST_CHORDS)
         return -1;
     const Level& level = plan.level(base);
     // A chord crosses fewer cells than there are in a row and a column.

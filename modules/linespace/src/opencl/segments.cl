@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// Cells that stand side by side, and runs of chords of a row of the parent: what the merges of whole
-// tables (cascade.cl) and of blocks (pruning.cl) share. Both are compiled after this text.
+// Cells that stand side by side, and runs of chords of a row of the parent: what the merges of
+// whole tables (cascade.cl) and of blocks (pruning.cl) share. Both are compiled after this text.
 //
 // CELLS: how many cells are taken at a time, 1, 2, 4, 8 or 16.
 
