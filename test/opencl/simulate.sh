@@ -16,27 +16,32 @@ fi
 export OPENCV_OPENCL_DEVICE=Oclgrind: OPENCV_OPENCL_CACHE_ENABLE=0
 log=$(mktemp) said=$(mktemp)
 trap 'rm -f "$log" "$said"' EXIT
-callers=69 # detectors of the program, and calls without one
+all=10 few=6 # small images; what a limit does depends on few of their options
+callers=$((2 * few)) # a detector and a call of each
 
-# simulate BACKEND OPTION...
+# simulate KERNELS BACKEND IMAGES OPTION...
 simulate() {
-    local backend=$1
-    shift
-    echo "oclgrind $* ($backend)"
+    local kernels=$1 backend=$2 images=$3
+    shift 3
+    echo "oclgrind $* ($backend, $kernels kernels, $images images)"
     : >"$log"
     local status=0
-    oclgrind --log "$log" "$@" "$program" "$backend" || status=$?
+    LINESPACE_OPENCL_KERNELS=$kernels \
+        oclgrind --log "$log" "$@" "$program" "$backend" "$images" || status=$?
     if [[ $status != 0 || -s $log ]]; then
         head -40 "$log"
         exit 1
     fi
 }
 
-simulate opencl --data-races
-simulate opencl --max-wgsize 16
-simulate opencl --local-mem-size 1024 # counts that want to be there are elsewhere
-# Less memory than a table needs: the processor takes over, and each detector or call without one says so once.
-simulate cpu --global-mem-size 64 2>&1 | tee "$said"
+# A processor's kernels are those without barriers and with the long loops.
+simulate graphics opencl $all --data-races
+simulate processor opencl $all --data-races
+simulate graphics opencl $few --max-wgsize 16
+simulate graphics opencl $few --local-mem-size 1024 # counts that want to be there are elsewhere
+# Less memory than a table needs: the processor takes over, and each detector or call without one
+# says so once.
+simulate graphics cpu $few --global-mem-size 64 2>&1 | tee "$said"
 warnings=$(grep -c 'the CPU path runs' "$said" || true)
 if ((warnings == 0 || warnings > callers)); then
     echo "$warnings warnings of $callers detectors and calls"

@@ -16,7 +16,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-FILTER = "*_OpenGl.the_strongest*:*_Devices.*/1:*_OpenGl_Context.textures/*:*_Backends.medium_sizes/3"
+FILTER = "*_Devices.*/1:*_OpenGl_Context.textures/*:*_Backends.medium_sizes/3"
 ACCURACY = [os.environ["LINESPACE_ACCURACY"], "--gtest_color=no", "--gtest_filter=" + FILTER]
 WAYS = os.environ.get("LINESPACE_OPENGL_WAYS")
 # With windows, which small blocks make: the searches, and merges of the same depths.

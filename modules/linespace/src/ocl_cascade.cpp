@@ -15,6 +15,7 @@
 #include "ocl_launch.hpp"
 #include "ocl_maxima.hpp"
 #include "ocl_pruning.hpp"
+#include "ocl_segments.hpp"
 
 #include <list>
 
@@ -23,52 +24,20 @@ namespace linespace {
 
 namespace {
 
-//! As in cascade.cl.
-struct DeviceSegment
+//! As Segment in segments.cl.
+struct DeviceSegment : RunOfChords
 {
-    int firstEnd, count, isCrossing, childS, chordS, strideS, chordE, strideE, stepE;
-    int numerator, numeratorStep, denominator, denominatorStep;
+    DeviceCrossings crossings;
 };
 
 DeviceSegment deviceSegment(const Merge& merge, int s, const Segment& segment)
 {
-    DeviceSegment result = {segment.firstEnd,
-                            segment.count,
-                            segment.isCrossing,
-                            segment.childS,
-                            asInt((double)segment.chordS),
-                            (int)segment.strideS,
-                            asInt((double)segment.chordE),
-                            (int)segment.strideE,
-                            (int)segment.stepE,
-                            0,
-                            0,
-                            1,
-                            0};
-    if (!segment.isCrossing)
-        return result;
-    const CrossingRun run(merge, s, segment.firstEnd);
-    const double sign = run.denominator(0) < 0 ? -1 : 1, last = segment.count - 1;
-    asInt(run.numerator((int)last));
-    asInt(run.denominator((int)last));
-    result.numerator = asInt(sign * run.numerator(0));
-    result.numeratorStep = asInt(sign * (run.numerator(1) - run.numerator(0)));
-    result.denominator = asInt(sign * run.denominator(0));
-    result.denominatorStep = asInt(sign * (run.denominator(1) - run.denominator(0)));
+    DeviceSegment result;
+    static_cast<RunOfChords&>(result) = runOfChords(segment);
+    const CrossingRun run = // of nothing, if it does not cross
+        segment.isCrossing ? CrossingRun(merge, s, segment.firstEnd) : CrossingRun();
+    result.crossings = deviceCrossings(run, 1, segment.count);
     return result;
-}
-
-std::vector<BorderRow> rowsOf(const Cell& cell)
-{
-    std::vector<BorderRow> rows;
-    for (int s = 0; s < cell.firstPoint(SIDE_LEFT); ++s)
-    {
-        const int side = cell.sideOf(s);
-        const BorderRow row = {asInt((double)cell.rowStart(s)), cell.rowLength(side), 0,
-                               cell.firstPartner(side)};
-        rows.push_back(row);
-    }
-    return rows;
 }
 
 //! What the device needs to know of a level of the plan.
@@ -113,7 +82,15 @@ struct PlanTables
 class OpenClExecutor : public Executor
 {
 public:
-    OpenClExecutor() : context_(ocl::Context::getDefault().ptr()) {}
+    OpenClExecutor() : context_(ocl::Context::getDefault().ptr())
+    {
+        // Tables go there and back as they are in memory, masks of maxima are written by bytes and
+        // read by words, and bytes of pixels become bits of a word (searchBlocks, packRows).
+        const int one = 1;
+        const bool isHostLittle = *reinterpret_cast<const uchar*>(&one) == 1;
+        if (!isHostLittle || !ocl::Device::getDefault().endianLittle())
+            throw DeviceFailure("the host or the device does not begin numbers with the low byte");
+    }
 
     int backend() const CV_OVERRIDE { return BACKEND_OPENCL; }
 

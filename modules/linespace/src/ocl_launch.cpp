@@ -11,6 +11,7 @@
 #include "opencl_kernels_linespace.hpp"
 
 #include <climits>
+#include <cstdlib>
 
 namespace cv {
 namespace linespace {
@@ -34,13 +35,14 @@ const ocl::ProgramSource& sourceOf(DeviceProgram program)
 {
     using namespace ocl::linespace;
     static const ocl::ProgramSource ascent = joined({chords_oclsrc, pixels_oclsrc, ascent_oclsrc}),
-                                    cascade =
-                                        joined({chords_oclsrc, pixels_oclsrc, cascade_oclsrc}),
+                                    cascade = joined({chords_oclsrc, pixels_oclsrc, segments_oclsrc,
+                                                      cascade_oclsrc}),
                                     directions =
                                         joined({chords_oclsrc, pixels_oclsrc, directions_oclsrc}),
                                     houghlines = joined({chords_oclsrc, houghlines_oclsrc}),
                                     maxima = joined({chords_oclsrc, pixels_oclsrc, maxima_oclsrc}),
-                                    pruning = joined({chords_oclsrc, pruning_oclsrc}),
+                                    pruning =
+                                        joined({chords_oclsrc, segments_oclsrc, pruning_oclsrc}),
                                     table = joined({chords_oclsrc, table_oclsrc});
     switch (program)
     {
@@ -52,6 +54,23 @@ const ocl::ProgramSource& sourceOf(DeviceProgram program)
     case PRUNING_PROGRAM: return pruning;
     default: return table;
     }
+}
+
+enum KernelChoice
+{
+    BY_DEVICE,
+    FOR_PROCESSORS,
+    FOR_GRAPHICS
+};
+
+KernelChoice kernelChoice()
+{
+    const char* const value = std::getenv("LINESPACE_OPENCL_KERNELS");
+    const String choice = value ? value : "";
+    if (choice != "" && choice != "processor" && choice != "graphics")
+        throw DeviceFailure("LINESPACE_OPENCL_KERNELS=" + choice +
+                            ": must be processor or graphics");
+    return choice == "processor" ? FOR_PROCESSORS : choice == "graphics" ? FOR_GRAPHICS : BY_DEVICE;
 }
 
 } // namespace
@@ -160,7 +179,9 @@ String directionBinOptions()
 
 bool isProcessor()
 {
-    return ocl::Device::getDefault().type() == ocl::Device::TYPE_CPU;
+    static const KernelChoice choice = kernelChoice();
+    return choice == BY_DEVICE ? ocl::Device::getDefault().type() == ocl::Device::TYPE_CPU
+                               : choice == FOR_PROCESSORS;
 }
 
 int asInt(double value)

@@ -4,6 +4,9 @@
 
 // What all stages on an OpenCL device share: memory, and launches of kernels. Only for files that
 // are compiled with HAVE_OPENCL.
+//
+// Environment: LINESPACE_OPENCL_KERNELS=processor or graphics chooses the variants of kernels, so
+// that tests run both on any device.
 
 #ifndef OPENCV_LINESPACE_OCL_LAUNCH_HPP
 #define OPENCV_LINESPACE_OCL_LAUNCH_HPP
@@ -69,7 +72,8 @@ inline ocl::KernelArg inOut(const UMat& memory)
     return ocl::KernelArg::PtrReadWrite(memory);
 }
 
-//! The programs of opencl/, each after chords.cl, which all use, some after pixels.cl as well.
+//! The programs of opencl/, each after chords.cl, which all use, some after pixels.cl or
+//! segments.cl as well.
 enum DeviceProgram
 {
     ASCENT_PROGRAM,
@@ -130,9 +134,9 @@ struct DevicePixels
 //! For kernels that ask for the bin of a chord.
 String directionBinOptions();
 
-/** Whether the device is a processor: a work item takes a run of consecutive chords there, does what
-they share once, and reads on in the lines of its cache; on other devices neighbouring work items
-read neighbouring bytes. */
+/** Whether kernels are those for a processor, as the device is one or LINESPACE_OPENCL_KERNELS says
+so: a work item takes a run of consecutive chords there, does what they share once, and reads on in
+the lines of its cache; on other devices neighbouring work items read neighbouring bytes. */
 bool isProcessor();
 
 //! A row of chords (s, e) on the device, an int4 there.

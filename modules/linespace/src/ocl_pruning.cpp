@@ -9,6 +9,7 @@
 #ifdef HAVE_OPENCL
 
 #include "ocl_launch.hpp"
+#include "ocl_segments.hpp"
 
 #include <climits>
 
@@ -29,44 +30,20 @@ int blocksPerItem()
 }
 
 //! As in pruning.cl.
-struct BlockSegment
+struct BlockSegment : RunOfChords
 {
-    int firstEnd, count, isCrossing, childS, chordS, strideS, chordE, strideE, stepE;
-    int leastCrossing[4], mostCrossing[4]; //!< numerator, its step, denominator, its step
+    DeviceCrossings least, most;
 };
-
-//! Quotients at(0), at(stride), at(2 stride), ...
-void setCrossings(const CrossingRun& run, int stride, int count, int crossings[4])
-{
-    const double sign = run.denominator(0) < 0 ? -1 : 1;
-    const int last = stride * (count - 1);
-    asInt(run.numerator(last));
-    asInt(run.denominator(last));
-    crossings[0] = asInt(sign * run.numerator(0));
-    crossings[1] = asInt(sign * (run.numerator(stride) - run.numerator(0)));
-    crossings[2] = asInt(sign * run.denominator(0));
-    crossings[3] = asInt(sign * (run.denominator(stride) - run.denominator(0)));
-}
 
 BlockSegment blockSegment(const Merge& merge, int block, int s, const Segment& segment)
 {
-    BlockSegment result = {segment.firstEnd,
-                           segment.count,
-                           segment.isCrossing,
-                           segment.childS,
-                           asInt((double)segment.chordS),
-                           (int)segment.strideS,
-                           asInt((double)segment.chordE),
-                           (int)segment.strideE,
-                           (int)segment.stepE,
-                           {0, 0, 1, 0},
-                           {0, 0, 1, 0}};
-    if (!segment.isCrossing)
-        return result;
-    CrossingRun least, most;
-    outermostCrossings(merge, block, block * s, block * segment.firstEnd, least, most);
-    setCrossings(least, block, segment.count, result.leastCrossing);
-    setCrossings(most, block, segment.count, result.mostCrossing);
+    BlockSegment result;
+    static_cast<RunOfChords&>(result) = runOfChords(segment);
+    CrossingRun least, most; // of nothing, if it does not cross
+    if (segment.isCrossing)
+        outermostCrossings(merge, block, block * s, block * segment.firstEnd, least, most);
+    result.least = deviceCrossings(least, block, segment.count);
+    result.most = deviceCrossings(most, block, segment.count);
     return result;
 }
 
@@ -75,8 +52,7 @@ BlockSegment blockSegment(const Merge& merge, int block, int s, const Segment& s
 int DevicePruning::baseLevel(const Plan& plan, bool weighted)
 {
     const int last = plan.levelCount() - 1, base = last - MOST_LEVELS;
-    if (base < 0 || plan.frame().chordCount() < LEAST_CHORDS ||
-        !ocl::Device::getDefault().endianLittle())
+    if (base < 0 || plan.frame().chordCount() < LEAST_CHORDS)
         return -1;
     const Level& level = plan.level(base);
     // A chord crosses fewer cells than there are in a row and a column.
@@ -123,16 +99,13 @@ void DevicePruning::list(const Plan& plan, int base)
         allocateOn(level.required, blocks * sizeof(int));
         allocateOn(level.needed, level.coarse.chordCount() * sizeof(int));
         const Merge merge = plan.merge(base + l), coarse(levels_[l - 1].coarse, merge.horizontal);
-        std::vector<BorderRow> rows;
+        std::vector<BorderRow> rows = rowsOf(level.coarse);
         std::vector<BlockSegment> segments(level.rowCount * MAX_SEGMENTS);
         for (int s = 0; s < level.rowCount; ++s)
         {
             Segment own[MAX_SEGMENTS];
-            const int side = level.coarse.sideOf(s);
-            const BorderRow row = {(int)level.coarse.rowStart(s), level.coarse.rowLength(side),
-                                   rowSegments(coarse, s, own), level.coarse.firstPartner(side)};
-            rows.push_back(row);
-            for (int k = 0; k < row.segments; ++k)
+            rows[s].segments = rowSegments(coarse, s, own);
+            for (int k = 0; k < rows[s].segments; ++k)
                 segments[s * MAX_SEGMENTS + k] = blockSegment(merge, BLOCK, s, own[k]);
         }
         upload(rows, level.rows);

@@ -109,6 +109,55 @@ TEST_P(Linespace_Devices, the_statistical_rule)
     EXPECT_GT(count, 50u);
 }
 
+/** Small pools of candidates, with ties at the last one, and cuts that a sample sets too high; the
+exact method, candidates that do not climb, estimated directions, and other suppressions. */
+TEST_P(Linespace_Devices, the_strongest_candidates)
+{
+    requireBackend(GetParam());
+    const int radii[] = {0, 1, 4, 6};
+    for (int i = 0; i < 160; ++i)
+    {
+        const Mat1b image = randomEdges(Size(40 + 13 * (i % 7), 110 - 9 * (i % 5)),
+                                        0.05 + 0.1 * (i % 4), (unsigned)i);
+        Mat1b weighted = image.clone();
+        if (i % 3 == 0)
+            cv::multiply(image, randomEdges(image.size(), 0.5, 3) + 2, weighted, 100);
+        UMat weightedOnDevice;
+        weighted.copyTo(weightedOnDevice);
+        Lines lines[2];
+        for (int k = 0; k < 2; ++k)
+        {
+            const int backend = k == 0 ? (int)BACKEND_CPU : GetParam();
+            const Ptr<LineSpaceDetector> detector =
+                LineSpaceDetector::create(i % 2 ? 5 : 0, 0, METHOD_CASCADED, 8, backend);
+            detector->setFalseAlarms(i % 6 < 3 ? 1 : 3e4);
+            detector->setEdgeWeights(i % 3 == 0);
+            detector->setCandidateRatio(i % 8 < 4 ? 1 : 0.75);
+            detector->setSuppressionDistance(i % 9 < 4 ? 40 : 1);
+            detector->setMaxLines(i % 5 > 0 ? 1 + i % 37 : 0);
+            detector->setPoolSize(1 << i % 11);
+            detector->setSuppressionRadius(radii[i % 4]);
+            detector->setMethod(i % 13 == 5 ? METHOD_EXACT : METHOD_CASCADED);
+            detector->setSuppression(i % 17 == 3   ? SUPPRESS_BLOCKS
+                                     : i % 17 == 9 ? SUPPRESS_GREEDY
+                                                   : SUPPRESS_RING);
+            const auto detect = [&](InputArray edges)
+            {
+                if (i % 5 == 1)
+                    detector->detect(edges, noArray(), noArray(), lines[k]);
+                else
+                    detector->detect(edges, lines[k]);
+            };
+            if (k == 0)
+                detect(weighted);
+            else
+                detect(weightedOnDevice);
+            ASSERT_EQ(backend, detector->getActiveBackend());
+        }
+        ASSERT_EQ(lines[0], lines[1]) << i;
+    }
+}
+
 INSTANTIATE_TEST_CASE_P(/**/, Linespace_Devices, testing::Values(BACKEND_OPENCL, BACKEND_OPENGL));
 
 } // namespace

@@ -76,46 +76,6 @@ TEST_F(Linespace_OpenGl, random_sizes_and_densities)
     }
 }
 
-//! Small pools of candidates, with ties at the last one, and cuts that a sample sets too high; the
-//! exact method, candidates that do not climb, and other suppressions.
-TEST_F(Linespace_OpenGl, the_strongest_candidates)
-{
-    requireBackend(BACKEND_OPENGL);
-    const int radii[] = {0, 1, 4, 6};
-    for (int i = 0; i < 160; ++i)
-    {
-        const Mat1b image = randomEdges(Size(40 + 13 * (i % 7), 110 - 9 * (i % 5)),
-                                        0.05 + 0.1 * (i % 4), (unsigned)i);
-        Mat1b weighted = image.clone();
-        if (i % 3 == 0)
-            cv::multiply(image, randomEdges(image.size(), 0.5, 3) + 2, weighted, 100);
-        Lines lines[2];
-        const int backends[] = {BACKEND_CPU, BACKEND_OPENGL};
-        for (int k = 0; k < 2; ++k)
-        {
-            const Ptr<LineSpaceDetector> detector = detectorFor(backends[k]);
-            detector->setThreshold(i % 2 ? 5 : 0);
-            detector->setFalseAlarms(i % 6 < 3 ? 1 : 3e4);
-            detector->setEdgeWeights(i % 3 == 0);
-            detector->setCandidateRatio(i % 8 < 4 ? 1 : 0.75);
-            detector->setSuppressionDistance(i % 9 < 4 ? 40 : 1);
-            detector->setMaxLines(i % 5 > 0 ? 1 + i % 37 : 0);
-            detector->setPoolSize(1 << i % 11);
-            detector->setSuppressionRadius(radii[i % 4]);
-            detector->setMethod(i % 13 == 5 ? METHOD_EXACT : METHOD_CASCADED);
-            detector->setSuppression(i % 17 == 3   ? SUPPRESS_BLOCKS
-                                     : i % 17 == 9 ? SUPPRESS_GREEDY
-                                                   : SUPPRESS_RING);
-            if (i % 5 == 1)
-                detector->detect(weighted, noArray(), noArray(), lines[k]);
-            else
-                detector->detect(weighted, lines[k]);
-            ASSERT_EQ(backends[k], detector->getActiveBackend());
-        }
-        ASSERT_EQ(lines[0], lines[1]) << i;
-    }
-}
-
 //! Of so many chords that a sample tells the cut, and so few candidates that it is often too high;
 //! lines near stronger ones are dropped, so that the weakest candidate may be reported.
 TEST_F(Linespace_OpenGl, a_cut_that_is_too_high)

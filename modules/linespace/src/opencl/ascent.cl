@@ -263,6 +263,18 @@ inline bool neighbourOf(Frame frame, int s, int e, int i, int j, int2* neighbour
     return neighbour->y >= sideOf(frame, neighbour->x).y;
 }
 
+/* The neighbourhood of a chord, wherever it is, is walked by j < NEIGHBOURS: the j-th chord and where
+it stands, as placeOf; false if it is none. */
+#define NEIGHBOURS ((2 * RADIUS + 1) * (2 * RADIUS + 1))
+inline bool findNeighbour(Frame frame, int s, int e, int j, int2* neighbour, int2* place)
+{
+    if (!neighbourOf(frame, s, e, j / (2 * RADIUS + 1) - RADIUS, j % (2 * RADIUS + 1) - RADIUS,
+                     neighbour))
+        return false;
+    *place = placeOf(frame, neighbour->x, neighbour->y);
+    return true;
+}
+
 /* Whether a neighbourhood keeps to the sides of its middle. */
 inline bool isInside(int u, int w, int pointsS, int pointsE)
 {
@@ -305,14 +317,11 @@ __kernel void wantNeighbours(__global int* candidates, int room, int width, int 
     const int u = s - sideS.x, w = e - sideE.x;
     if (!isInside(u, w, sideS.y, sideE.y))
     {
-        for (int j = 0; j < (2 * RADIUS + 1) * (2 * RADIUS + 1); ++j)
+        for (int j = 0; j < NEIGHBOURS; ++j)
         {
-            int2 neighbour;
-            if (!neighbourOf(frame, s, e, j / (2 * RADIUS + 1) - RADIUS, j % (2 * RADIUS + 1) - RADIUS,
-                             &neighbour))
-                continue;
-            const int2 place = placeOf(frame, neighbour.x, neighbour.y);
-            want(wanted, place.x, (ulong)1 << place.y);
+            int2 neighbour, place;
+            if (findNeighbour(frame, s, e, j, &neighbour, &place))
+                want(wanted, place.x, (ulong)1 << place.y);
         }
         return;
     }
@@ -511,13 +520,11 @@ inline int3 strongestAround(Frame frame, __global const EXACT* votes, int s, int
     int3 best = (int3)(-1, 0, 0);
     if (!isInside(u, w, sideS.y, sideE.y))
     {
-        for (int j = 0; j < (2 * RADIUS + 1) * (2 * RADIUS + 1); ++j)
+        for (int j = 0; j < NEIGHBOURS; ++j)
         {
-            int2 neighbour;
-            if (!neighbourOf(frame, s, e, j / (2 * RADIUS + 1) - RADIUS, j % (2 * RADIUS + 1) - RADIUS,
-                             &neighbour))
+            int2 neighbour, place;
+            if (!findNeighbour(frame, s, e, j, &neighbour, &place))
                 continue;
-            const int2 place = placeOf(frame, neighbour.x, neighbour.y);
             const int3 other =
                 (int3)(votes[(size_t)place.x * 64 + place.y], neighbour.x, neighbour.y);
             if (isStronger(other, best))
@@ -576,13 +583,11 @@ __kernel void climbOn(__global int* candidates, int room, int width, int height,
     do
     {
         own = best;
-        for (int j = 0; j < (2 * RADIUS + 1) * (2 * RADIUS + 1); ++j)
+        for (int j = 0; j < NEIGHBOURS; ++j)
         {
-            int2 neighbour;
-            if (!neighbourOf(frame, own.y, own.z, j / (2 * RADIUS + 1) - RADIUS,
-                             j % (2 * RADIUS + 1) - RADIUS, &neighbour))
+            int2 neighbour, place;
+            if (!findNeighbour(frame, own.y, own.z, j, &neighbour, &place))
                 continue;
-            const int2 place = placeOf(frame, neighbour.x, neighbour.y);
             const bool isKnown = as_ulong(counted[place.x]) >> place.y & 1;
             const int3 other =
                 (int3)(isKnown ? (int)votes[(size_t)place.x * 64 + place.y]

@@ -6,19 +6,7 @@
 // [chord][cell]. What chords and crossings are is the plan's, in tables: nothing here derives
 // geometry of its own.
 //
-// CHILD, PARENT: types of votes. CELLS: how many cells are taken at a time, 1, 2, 4, 8 or 16.
-
-#if CELLS == 1
-#define VECTOR(type) type
-#else
-#define VECTOR(type) CONCAT(type, CELLS)
-#endif
-#define CONVERT(type, value) CONCAT(convert_, VECTOR(type))(value)
-
-/* Runs of cells are aligned: CELLS divides their number, and a buffer begins at any vector's
-boundary. (vloadn and vstoren, which ask for less, are single bytes on some devices.) */
-#define CELLS_AT(type, from) (*(__global VECTOR(type)*)(from))
-#define CONST_CELLS_AT(type, from) (*(__global const VECTOR(type)*)(from))
+// CHILD, PARENT: types of votes. CELLS: as in segments.cl.
 
 #ifdef FIRST_CELLS
 
@@ -169,14 +157,6 @@ when compiling. */
 #endif
 #define CHILD_AT(from) CONVERT(PARENT, CONST_CELLS_AT(CHILD, from))
 
-/* A run of chords of one row of the parent, as struct Segment in plan.hpp; the crossing of chord
-firstEnd + i is (numerator + i numeratorStep) / (denominator + i denominatorStep), rounded down. */
-typedef struct
-{
-    int firstEnd, count, isCrossing, childS, chordS, strideS, chordE, strideE, stepE;
-    int numerator, numeratorStep, denominator, denominatorStep;
-} Segment;
-
 /* One level from the one below, RUN chords of a row at a time. Row s has the segments from
 segments[MAX_SEGMENTS * s] on; its first chord is rows[s].x, their number rows[s].y, that of its
 segments rows[s].z, its first end rows[s].w. Global size: runs of the longest row, rows. */
@@ -209,14 +189,8 @@ __kernel void mergeCells(__global const Segment* segments, __global const int4* 
                     CELLS_AT(PARENT, out + cell) = CHILD_AT(own + cell);
             continue;
         }
-        const int numerator = segment->numerator + first * segment->numeratorStep;
-        const int denominator = segment->denominator + first * segment->denominatorStep;
-        const int numeratorStep = segment->numeratorStep;
-        const int denominatorStep = segment->denominatorStep;
         int crossings[RUN];
-        for (int i = 0; i < count; ++i)
-            crossings[i] =
-                quotient(numerator + i * numeratorStep, denominator + i * denominatorStep);
+        findCrossings(&segment->crossings, first, count, crossings);
         __global const CHILD* const partS = child + segment->chordS * run + childS * CELL_COUNT;
         __global const CHILD* partE = child +
                                       (segment->chordE + first * segment->stepE) * (long)run +

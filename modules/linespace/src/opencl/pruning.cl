@@ -14,15 +14,10 @@
 // items: each writes what no other does, or the least of some numbers.
 
 #if CELLS == 1
-#define VECTOR(type) type
 #define ANY(comparison) (comparison)
 #else
-#define VECTOR(type) CONCAT(type, CELLS)
 #define ANY(comparison) any(comparison)
 #endif
-#define CONVERT(type, value) CONCAT(convert_, VECTOR(type))(value)
-#define CELLS_AT(type, from) (*(__global VECTOR(type)*)(from))
-#define CONST_CELLS_AT(type, from) (*(__global const VECTOR(type)*)(from))
 
 /* Of `required`: no votes of a block are asked for. */
 #define NOT_NEEDED INT_MAX
@@ -54,25 +49,19 @@ __kernel void poolBlocks(__global const CHILD* table, int width, int height,
 
 #else
 
-/* A run of blocks of one row of the parent, as struct Segment in plan.hpp of the coarse cells. The
-chords of block firstEnd + i cross the shared side at the points from (leastNumerator + i
-leastNumeratorStep) / (leastDenominator + i leastDenominatorStep) to the same of most..., rounded
-down. */
+/* A run of blocks of one row of the parent, as struct BlockSegment: a run of chords of the coarse
+cells, but for its crossings. The chords of block firstEnd + i cross the shared side at the points
+from least to most. */
 typedef struct
 {
     int firstEnd, count, isCrossing, childS, chordS, strideS, chordE, strideE, stepE;
-    int leastNumerator, leastNumeratorStep, leastDenominator, leastDenominatorStep;
-    int mostNumerator, mostNumeratorStep, mostDenominator, mostDenominatorStep;
+    Crossings least, most;
 } BlockSegment;
 
 /* The first and the last block of the shared side that block i of a segment crosses. */
 inline int2 crossedBlocks(__global const BlockSegment* segment, int i)
 {
-    return (int2)(quotient(segment->leastNumerator + i * segment->leastNumeratorStep,
-                           segment->leastDenominator + i * segment->leastDenominatorStep),
-                  quotient(segment->mostNumerator + i * segment->mostNumeratorStep,
-                           segment->mostDenominator + i * segment->mostDenominatorStep)) /
-           BLOCK;
+    return (int2)(crossingAt(&segment->least, i), crossingAt(&segment->most, i)) / BLOCK;
 }
 
 /* Where the numbers of both parts of block i that meet in block m of the shared side stand, of the
@@ -228,13 +217,6 @@ __kernel void requireBlocks(__global const BlockSegment* segments, __global cons
 
 #ifdef MERGE
 
-/* As in cascade.cl. */
-typedef struct
-{
-    int firstEnd, count, isCrossing, childS, chordS, strideS, chordE, strideE, stepE;
-    int numerator, numeratorStep, denominator, denominatorStep;
-} Segment;
-
 /* ENDS consecutive chords of a needed block, the first of which is chord i of the segment.
 `first`: block of the shared side that the first bit of `bits` stands for. */
 inline void mergeChords(__global const Segment* segment, int i, int first, uint bits,
@@ -250,12 +232,8 @@ inline void mergeChords(__global const Segment* segment, int i, int first, uint 
                 CONVERT(PARENT, CONST_CELLS_AT(CHILD, own + j * run));
         return;
     }
-    const int numerator = segment->numerator + i * segment->numeratorStep;
-    const int denominator = segment->denominator + i * segment->denominatorStep;
-    const int numeratorStep = segment->numeratorStep, denominatorStep = segment->denominatorStep;
     int crossings[ENDS];
-    for (int j = 0; j < ENDS; ++j)
-        crossings[j] = quotient(numerator + j * numeratorStep, denominator + j * denominatorStep);
+    findCrossings(&segment->crossings, i, ENDS, crossings);
     __global const CHILD* const partS =
         child + (size_t)segment->chordS * run + segment->childS * CELLS;
     __global const CHILD* const partE = child +
