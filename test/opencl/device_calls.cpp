@@ -2,13 +2,14 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// Calls one function two to four times, UMat in, UMat out, for test_launches.py, which reads the device's own
-// account of it:
+// Calls one function two to four times, UMat in, UMat out, for test_launches.py, which reads the
+// device's own account of it:
 //   linespace_device_calls FUNCTION IMAGE
 // FUNCTION: compute, houghlines, houghlines-dense, or detect with parameters: detect, estimated,
 // oriented, recount, exact, explained, significant, significant-masked, significant-oriented,
-// interval, greedy, blocks, sizes (of an image, of a part of it, and again). The last call's lines of standard error stand between "warm call begins" and
-// "warm call ends", which may stand in the middle of a line of another thread.
+// interval, greedy, blocks, sizes (of an image, of a part of it, and again). The last call's lines of
+// standard error stand between "warm call begins" and "warm call ends", which may stand in the middle
+// of a line of another thread.
 
 #include <opencv2/core/ocl.hpp>
 #include <opencv2/imgcodecs.hpp>

@@ -36,23 +36,34 @@ bool isLarge(const VoteTable& table)
            (table.memory && table.memory->bytes() > MOST_KEPT_BYTES);
 }
 
+//! Takes those of a back end, that given last at the end.
+std::vector<PooledExecutor> takeAll(int backend)
+{
+    std::vector<PooledExecutor> taken, others;
+    Pool& kept = pool();
+    const std::lock_guard<std::mutex> lock(kept.mutex);
+    for (const PooledExecutor& pooled : kept.executors)
+        (pooled.executor->backend() == backend ? taken : others).push_back(pooled);
+    kept.executors.swap(others);
+    return taken;
+}
+
 } // namespace
 
 PooledExecutor takeExecutor(int backend)
 {
-    Pool& kept = pool();
-    const std::lock_guard<std::mutex> lock(kept.mutex);
-    for (size_t i = kept.executors.size(); i-- > 0;)
-    {
-        const PooledExecutor found = kept.executors[i];
-        if (found.executor->backend() == backend && found.executor->isUsable())
+    PooledExecutor found = {Ptr<Executor>(), makePtr<VoteTables>()};
+    // Whether one is usable its driver tells, which is asked without the lock.
+    std::vector<PooledExecutor> taken = takeAll(backend);
+    for (size_t i = taken.size(); i-- > 0 && !found.executor;)
+        if (taken[i].executor->isUsable())
         {
-            kept.executors.erase(kept.executors.begin() + i);
-            return found;
+            found = taken[i];
+            taken.erase(taken.begin() + i);
         }
-    }
-    const PooledExecutor none = {Ptr<Executor>(), makePtr<VoteTables>()};
-    return none;
+    for (const PooledExecutor& other : taken)
+        giveExecutor(other);
+    return found;
 }
 
 void giveExecutor(const PooledExecutor& pooled)

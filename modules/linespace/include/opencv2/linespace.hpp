@@ -280,10 +280,11 @@ public:
     For graphics applications: chords are counted and the candidates found in the caller's context,
     where the texture is, and the candidates climb and are counted exactly. Only these and the edge
     pixels, as bits, are read from there, as lines are refined on the host; the pixels themselves with
-    SELECT_EXPLAIN, SUPPRESS_GREEDY, or weights with threshold 0. State of the context that is touched is restored:
-    the program, storage buffers and their bindings, texture unit 0 with its sampler, the active
-    unit. Errors of OpenGL that are pending are lost, and commands of the caller that write the
-    texture by image stores must be followed by a barrier for texture fetches.
+    SELECT_EXPLAIN, SUPPRESS_GREEDY, or weights with threshold 0. State of the context that is
+    touched is restored: the program, storage buffers and their bindings, texture unit 0 with its
+    sampler, the active unit. Errors of OpenGL that are pending are lost, and commands of the
+    caller that write the texture by image stores must be followed by a barrier for texture
+    fetches.
     @param texture name of a GL_TEXTURE_2D of internal format GL_R8 or GL_R8UI, whose base level is
     the edge map: texels other than 0 are edge pixels, the first row is the upper one. A context with
     OpenGL 4.3 or OpenGL ES 3.1, or later, must be current in this thread.

@@ -7,12 +7,12 @@
 // of the last one wanted, then count, scan and write. Everything is in the order of the table,
 // which is that of (s, e): no result depends on the order of work items.
 //
-// VOTES: the type of votes. RADIUS: of the neighbourhood on the ring of border points; -1: only the
-// two chords parallel to it on either side. SQUARE: in their place, of the chords of a block of so
-// many s and e, a power of two, as SUPPRESS_BLOCKS has them. BLOCK: only chords of needed blocks of pruning.cl are
-// in the table; those of others have no more votes than the cut. REQUIRED: by the length of a chord,
-// with END_COSINES also by its bin, more votes are asked for. INTERVAL: only chords with one of the
-// ends of AngleEnds.
+// VOTES: the type of votes. RADIUS: of the neighbourhood on the ring of border points; -1: only
+// the two chords parallel to it on either side. SQUARE: in their place, of the chords of a block
+// of so many s and e, a power of two, as SUPPRESS_BLOCKS has them. BLOCK: only chords of needed
+// blocks of pruning.cl are in the table; those of others have no more votes than the cut.
+// REQUIRED: by the length of a chord, with END_COSINES also by its bin, more votes are asked for.
+// INTERVAL: only chords with one of the ends of AngleEnds.
 
 enum
 {
