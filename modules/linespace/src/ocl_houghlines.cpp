@@ -141,7 +141,7 @@ void DeviceHoughLines::forgetLarge()
             tables_.of(i).device.release();
     UMat* const others[] = {&image_, &x_, &y_, &weights_, &supported_, &votes_, &lines_};
     for (UMat* other : others)
-        if ((double)other->total() * other->elemSize() > MOST_KEPT_BYTES)
+        if (!other->empty() && (double)other->total() * other->elemSize() > MOST_KEPT_BYTES)
             other->release();
 }
 
