@@ -948,8 +948,7 @@ private:
     int planMethod_, planCellSize_;
     std::vector<Ptr<Executor>> executors_; // by back end, of those that were used
     int activeBackend_;
-    std::vector<Size>
-        failedSizes_; // the last ones for which a device failed: it is not tried again and again
+    std::vector<Size> failedSizes_; // the last for which a device failed: it is not tried again
     Images images_;
     VoteTables tables_;
     BundleSearch bundles_;

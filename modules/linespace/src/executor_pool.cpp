@@ -36,33 +36,33 @@ bool isLarge(const VoteTable& table)
            (table.memory && table.memory->bytes() > MOST_KEPT_BYTES);
 }
 
-//! Takes those of a back end, that given last at the end.
-std::vector<PooledExecutor> takeAll(int backend)
+//! That of a back end that was given last; without an executor if there is none.
+PooledExecutor takeLast(int backend)
 {
-    std::vector<PooledExecutor> taken, others;
+    PooledExecutor found = {Ptr<Executor>(), makePtr<VoteTables>()};
     Pool& kept = pool();
     const std::lock_guard<std::mutex> lock(kept.mutex);
-    for (const PooledExecutor& pooled : kept.executors)
-        (pooled.executor->backend() == backend ? taken : others).push_back(pooled);
-    kept.executors.swap(others);
-    return taken;
+    for (size_t i = kept.executors.size(); i-- > 0 && !found.executor;)
+        if (kept.executors[i].executor->backend() == backend)
+        {
+            found = kept.executors[i];
+            kept.executors.erase(kept.executors.begin() + i);
+        }
+    return found;
 }
 
 } // namespace
 
 PooledExecutor takeExecutor(int backend)
 {
-    PooledExecutor found = {Ptr<Executor>(), makePtr<VoteTables>()};
-    // Whether one is usable its driver tells, which is asked without the lock.
-    std::vector<PooledExecutor> taken = takeAll(backend);
-    for (size_t i = taken.size(); i-- > 0 && !found.executor;)
-        if (taken[i].executor->isUsable())
-        {
-            found = taken[i];
-            taken.erase(taken.begin() + i);
-        }
-    for (const PooledExecutor& other : taken)
-        giveExecutor(other);
+    // Whether one is usable its driver tells, which is asked without the lock; those that are not,
+    // in this thread's context, are for others.
+    std::vector<PooledExecutor> others;
+    PooledExecutor found = takeLast(backend);
+    for (; found.executor && !found.executor->isUsable(); found = takeLast(backend))
+        others.push_back(found);
+    for (size_t i = others.size(); i-- > 0;)
+        giveExecutor(others[i]);
     return found;
 }
 
