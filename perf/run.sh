@@ -13,8 +13,9 @@
 # --ways   beside the section opengl, other ways to merge, to find maxima and to sort by OpenGL
 #          (opengl-ways.md), some minutes
 # --data   folder of OpenCV's sample photographs, default that of OpenCV's sources
-# LINESPACE_NEWER_OPENCV_PYTHON names a Python with a newer cv2, which takes part; without it the
-# newest opencv-python-headless is installed into build/newer-opencv/, or left out where that fails.
+# LINESPACE_NEWER_OPENCV_PYTHON names Pythons with newer versions of cv2, separated by colons, which
+# take part; without it the newest opencv-python-headless of OpenCV 4 and that of OpenCV 5 are
+# installed into build/newer-opencv/4 and /5, or left out where that fails.
 # OPENCV_OPENCL_DEVICE chooses the device of the OpenCL column; by default PoCL's, a processor.
 set -euo pipefail
 
@@ -58,26 +59,27 @@ test/fetch_opencv_source.sh # the photographs, and OpenCV's own test harness, wh
 cmake --preset release
 cmake --build --preset release --target linespace_benchmark ${ways:+linespace_opengl_ways}
 
-# A Python whose cv2 is newer than the OpenCV that everything else uses; nothing where there is none.
-newer_python() {
-    local folder=build/newer-opencv
-    if [[ -n ${LINESPACE_NEWER_OPENCV_PYTHON:-} ]]; then
-        echo "$LINESPACE_NEWER_OPENCV_PYTHON"
-        return
-    fi
+# Pythons whose cv2 is newer than the OpenCV that everything else uses are separated by colons.
+newer=${LINESPACE_NEWER_OPENCV_PYTHON:-}
+# The newest OpenCV of a major version is installed once and added: add_newer_python MAJOR
+add_newer_python() {
+    local folder=build/newer-opencv/$1 package="opencv-python-headless==$1.*"
     if [[ ! -e $folder/ready && -z $quick ]]; then
         rm -rf "$folder"
         {
             /usr/bin/python3 -m venv "$folder" &&
-                "$folder/bin/pip" install --quiet --disable-pip-version-check \
-                    opencv-python-headless && touch "$folder/ready"
-        } >&2 || echo "Left out: a newer OpenCV (opencv-python-headless cannot be installed)" >&2
+                "$folder/bin/pip" install --quiet --disable-pip-version-check "$package" &&
+                touch "$folder/ready"
+        } || echo "Left out: a newer OpenCV ($package cannot be installed)" >&2
     fi
     if [[ -e $folder/ready ]]; then
-        echo "$folder/bin/python"
+        newer+=${newer:+:}$folder/bin/python
     fi
 }
-newer=$(newer_python)
+if [[ -z $newer ]]; then
+    add_newer_python 4
+    add_newer_python 5
+fi
 
 results=perf/results
 if [[ -n $quick ]]; then

@@ -10,8 +10,23 @@ set -euo pipefail
 program=${1:?usage: check.sh PROGRAM FOLDER}
 folder=${2:?usage: check.sh PROGRAM FOLDER}
 
+# A stub stands for a Python with another OpenCV, whose HoughLines finds nothing: stub VERSION
+stub() {
+    mkdir -p "$folder/stub-$1"
+    cat >"$folder/stub-$1/cv2.py" <<END
+__version__, IMREAD_GRAYSCALE = "$1", 0
+HoughLines = imread = setNumThreads = lambda *arguments: None
+END
+    printf '#!/bin/sh\nPYTHONPATH=%q exec /usr/bin/python3 -B "$@"\n' "$folder/stub-$1" \
+        >"$folder/stub-$1/python"
+    chmod +x "$folder/stub-$1/python"
+}
+
 rm -rf "$folder"
-"$program" --quick --output "$folder"
+stub 98.6.1
+stub 99.14.2
+"$program" --quick --output "$folder" \
+    --newer-python "$folder/stub-98.6.1/python:$folder/stub-99.14.2/python"
 /usr/bin/python3 -B "$(dirname "$0")/report.py" --results "$folder"
 
 for plot in photographs size density threads instruction-sets roofline; do
@@ -37,4 +52,14 @@ elif [[ ! -s $folder/table-opengl.csv ]] || ! grep -q '^| OpenGL | .*, OpenGL ' 
     echo "check.sh: no table-opengl.csv, or no renderer" >&2
     exit 1
 fi
+grep -q '^| other OpenCV | 98.6.1, 99.14.2 |$' "$folder/results.md"
+for version in 98.6 99.14; do
+    for section in photographs paper opencl opengl sizes densities; do
+        if grep -q "^$section," "$folder/times.csv"; then
+            grep -q "^$section,.*,HoughLines $version 1" "$folder/times.csv"
+        fi
+    done
+    grep -q "^HoughLines $version 1°," "$folder/table-photographs-128x96.csv"
+done
+grep -Eq '^drop-in 1°,1°,.* \((98\.6|99\.14)\),' "$folder/table-fastest-128x96.csv"
 grep -Eq '^lines of every timed call .*,yes$' "$folder/table-requirements.csv"

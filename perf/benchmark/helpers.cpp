@@ -15,11 +15,14 @@ namespace benchmark {
 
 namespace {
 
-//! An edge map as a file that other processes can read.
+/** The edge map is written to a file that other processes can read. They keep it by its name, so
+that maps of different density have different ones. */
 std::string written(const Settings& settings, const Input& input)
 {
     const std::string path = settings.output + "/handed-over-" + std::to_string(input.edges.cols) +
-                             "x" + std::to_string(input.edges.rows) + "-" + input.name + ".png";
+                             "x" + std::to_string(input.edges.rows) + "-" +
+                             std::to_string(cv::countNonZero(input.edges)) + "-" + input.name +
+                             ".png";
     if (!cv::imwrite(path, input.edges))
         throw std::runtime_error("cannot write " + path);
     return path;
@@ -47,43 +50,60 @@ std::string textOf(const Outcome& outcome)
     return text.str();
 }
 
-} // namespace
-
-std::shared_ptr<ChildProcess> newerOpenCv(const Settings& settings)
+//! The patch level is left out: "4.14" of "4.14.0".
+std::string majorMinor(const std::string& version)
 {
-    if (settings.newerPython.empty())
-    {
-        std::cerr << "Left out: a newer OpenCV (no --newer-python)\n";
-        return nullptr;
-    }
-    const auto python = std::make_shared<ChildProcess>(
-        std::vector<std::string>{settings.newerPython, LINESPACE_BENCHMARK_DIR "/newer_opencv.py"},
-        std::vector<std::string>{});
-    try
-    {
-        python->ask("version");
-        return python;
-    }
-    catch (const std::exception& error)
-    {
-        std::cerr << "Left out: a newer OpenCV (" << error.what() << ")\n";
-        return nullptr;
-    }
+    return version.substr(0, version.find('.', version.find('.') + 1));
 }
 
-Call newerHoughLines(const std::shared_ptr<ChildProcess>& python, const Settings& settings,
-                     const Input& input, const std::string& step, int threshold)
+} // namespace
+
+std::vector<NewerOpenCv> newerOpenCvs(const Settings& settings)
 {
+    if (settings.newerPythons.empty())
+        std::cerr << "Left out: newer versions of OpenCV (no --newer-python)\n";
+    std::vector<NewerOpenCv> found;
+    for (const std::string& path : settings.newerPythons)
+        try
+        {
+            const auto python = std::make_shared<ChildProcess>(
+                std::vector<std::string>{path, LINESPACE_BENCHMARK_DIR "/newer_opencv.py"},
+                std::vector<std::string>{});
+            const std::string version = python->ask("version");
+            for (const NewerOpenCv& other : found)
+                if (majorMinor(other.version) == majorMinor(version))
+                    throw std::runtime_error(path + " has " + version + ", another one " +
+                                             other.version);
+            found.push_back({version, python});
+        }
+        catch (const std::exception& error)
+        {
+            std::cerr << "Left out: a newer OpenCV (" << error.what() << ")\n";
+        }
+    return found;
+}
+
+std::vector<Call> everyHoughLines(const Settings& settings, const std::vector<NewerOpenCv>& newer,
+                                  const Input& input, const std::string& step, int threshold)
+{
+    std::vector<Call> calls = {houghLines(input, step, threshold)};
+    if (newer.empty())
+        return calls;
     std::ostringstream question;
     question.precision(17);
     question << "HoughLines\t" << written(settings, input) << "\t"
              << angleStep(step, input.edges.size()) << "\t" << threshold << "\t"
              << settings.threads;
     const std::string text = question.str();
-    return {"newer HoughLines " + step, [=]
-            {
-                return outcomeOf(python->ask(text));
-            }};
+    for (const NewerOpenCv& one : newer)
+    {
+        const auto python = one.python;
+        calls.push_back({"HoughLines " + majorMinor(one.version) + " " + step, [=]
+                         {
+                             return outcomeOf(python->ask(text));
+                         }});
+    }
+    return calls;
 }
 
 std::shared_ptr<ChildProcess> onInstructionSet(const Settings& settings, const InstructionSet& set)

@@ -14,11 +14,21 @@
 
 namespace benchmark {
 
-/** cv2.HoughLines of a newer OpenCV, by newer_opencv.py; null, with the reason on standard error,
-where there is none. */
-std::shared_ptr<ChildProcess> newerOpenCv(const Settings& settings);
-Call newerHoughLines(const std::shared_ptr<ChildProcess>& python, const Settings& settings,
-                     const Input& input, const std::string& step, int threshold);
+//! This is a Python with a newer OpenCV; it runs newer_opencv.py.
+struct NewerOpenCv
+{
+    std::string version;
+    std::shared_ptr<ChildProcess> python;
+};
+
+/** Each of settings.newerPythons is started. One that does not work, or has the version of another
+one, is left out with the reason on standard error. */
+std::vector<NewerOpenCv> newerOpenCvs(const Settings& settings);
+
+/** The calls are cv::HoughLines(1, theta) and cv2.HoughLines of every newer OpenCV, whose version
+is in the name: "HoughLines 5.0 1 deg". */
+std::vector<Call> everyHoughLines(const Settings& settings, const std::vector<NewerOpenCv>& newer,
+                                  const Input& input, const std::string& step, int threshold);
 
 //! `detect` by this program on one of instructionSets(); throws if another one really runs.
 std::shared_ptr<ChildProcess> onInstructionSet(const Settings& settings, const InstructionSet& set);

@@ -25,8 +25,11 @@ namespace {
 using namespace benchmark;
 
 //! What the head of the report tells about this machine and this run.
-void writeMachine(const Settings& settings, const std::string& newerVersion)
+void writeMachine(const Settings& settings, const std::vector<NewerOpenCv>& newer)
 {
+    std::string newerVersions;
+    for (const NewerOpenCv& one : newer)
+        newerVersions += (newerVersions.empty() ? "" : ", ") + one.version;
     nlohmann::ordered_json json;
     json["machine"] = support::machine();
     for (const Cache& cache : caches())
@@ -35,7 +38,7 @@ void writeMachine(const Settings& settings, const std::string& newerVersion)
     json["instruction_set"] = instructionSet();
     json["threads"] = settings.threads;
     json["opencv"] = cv::getVersionString();
-    json["newer_opencv"] = newerVersion;
+    json["newer_opencv"] = newerVersions;
     json["opencl"] = isOpenClThere() ? cv::ocl::Device::getDefault().name() : "";
     json["opengl"] = opencv_test::headlessRenderer();
     json["commit"] = support::commit();
@@ -57,10 +60,8 @@ void run(const Settings& settings, const std::vector<std::string>& only)
     // First, while there is no other thread: it forks.
     if (isWanted("memory"))
         measureMemory(settings);
-    std::shared_ptr<ChildProcess> newer;
-    if (isWanted("photographs"))
-        newer = newerOpenCv(settings);
-    writeMachine(settings, newer ? newer->ask("version") : "");
+    const std::vector<NewerOpenCv> newer = newerOpenCvs(settings);
+    writeMachine(settings, newer);
 
     Recorder recorder(settings.output);
     const std::vector<std::pair<std::string, std::function<void()>>> sections = {
@@ -72,27 +73,27 @@ void run(const Settings& settings, const std::vector<std::string>& only)
         {"paper",
          [&]
          {
-             timePaper(settings, recorder);
+             timePaper(settings, recorder, newer);
          }},
         {"opencl",
          [&]
          {
-             timeOpenCl(settings, recorder);
+             timeOpenCl(settings, recorder, newer);
          }},
         {"opengl",
          [&]
          {
-             timeOpenGl(settings, recorder);
+             timeOpenGl(settings, recorder, newer);
          }},
         {"sizes",
          [&]
          {
-             timeSizes(settings, recorder);
+             timeSizes(settings, recorder, newer);
          }},
         {"densities",
          [&]
          {
-             timeDensities(settings, recorder);
+             timeDensities(settings, recorder, newer);
          }},
         {"threads",
          [&]
@@ -127,7 +128,7 @@ void run(const Settings& settings, const std::vector<std::string>& only)
 
 int main(int argc, char** argv)
 {
-    Settings settings{"", "",   "", std::filesystem::read_symlink("/proc/self/exe"),
+    Settings settings{"", "",   {}, std::filesystem::read_symlink("/proc/self/exe"),
                       11, 2000, 0,  false};
     std::vector<std::string> only;
     bool isServer = false;
@@ -140,7 +141,9 @@ int main(int argc, char** argv)
     app.add_option("--only", only, "Names of sections to run; all without it")
         ->check(CLI::IsMember({"photographs", "paper", "opencl", "opengl", "sizes", "densities",
                                "threads", "instruction-sets", "stages", "memory"}));
-    app.add_option("--newer-python", settings.newerPython, "A Python with a newer cv2")
+    app.add_option("--newer-python", settings.newerPythons,
+                   "Pythons with newer versions of cv2, separated by colons")
+        ->delimiter(':')
         ->envname("LINESPACE_NEWER_OPENCV_PYTHON");
     app.add_option("--turns", settings.turns, "Most calls of a method on one input")
         ->check(CLI::Range(1, 99))

@@ -8,12 +8,16 @@ machine's limits a stage reaches."""
 
 import json
 import pathlib
+import re
 
 import numpy as np
 import pandas as pd
 
 INPUT = ["section", "image", "width", "height", "edge_pixels", "threshold", "threads", "isa"]
 CALL = INPUT + ["method"]
+# This matches a call of cv::HoughLines: the version, none for the installed OpenCV, and the angle
+# step.
+HOUGH = re.compile(r"HoughLines (?:(\d+\.\d+) )?((?:1 deg|0\.1 deg|1/\(2n\))(?: low)?)")
 
 
 class Run:
@@ -22,6 +26,7 @@ class Run:
     def __init__(self, folder):
         folder = pathlib.Path(folder)
         self.machine = json.loads((folder / "machine.json").read_text("utf-8"))
+        self.installed = ".".join(self.machine["opencv"].split(".")[:2])
         calls = pd.read_csv(folder / "times.csv")
         self.invalid = calls[calls["valid"] == 0]
         self.calls = calls
@@ -35,6 +40,9 @@ class Run:
 
     def section(self, name):
         return self.times[self.times["section"] == name]
+
+    def section_with_fastest(self, name):
+        return with_fastest(self.section(name), self.installed)
 
 
 def _read(path):
@@ -54,6 +62,19 @@ def summary(calls):
     times = times.reset_index()
     times["density"] = times["edge_pixels"] / (times["width"] * times["height"])
     return times
+
+
+def with_fastest(times, installed):
+    """This adds the method "fastest HoughLines STEP": for each input and angle step the times of
+    that OpenCV whose cv::HoughLines was fastest, which "version" tells. installed: the version of
+    the calls without one."""
+    found = [HOUGH.fullmatch(method) for method in times["method"]]
+    calls = times.assign(step=[match and match[2] for match in found],
+                         version=[match and (match[1] or installed) for match in found])
+    calls = calls[calls["step"].notna()].sort_values("median", kind="stable")
+    fastest = calls.drop_duplicates(INPUT + ["step"]).sort_index()
+    fastest["method"] = [f"fastest HoughLines {step}" for step in fastest["step"]]
+    return pd.concat([times, fastest.drop(columns="step")], ignore_index=True)
 
 
 def stage_summary(stages):

@@ -4,6 +4,8 @@
 
 """The plots of the benchmark, each as PNG and SVG."""
 
+import itertools
+
 import matplotlib.pyplot as plt
 import matplotlib.ticker
 import numpy as np
@@ -26,19 +28,28 @@ STYLE = {
     "LSD": ("#009e73", "-", "v"),
     "FastLineDetector": ("#cc79a7", "-", "v"),
     "EdgeDrawing": ("#882255", "--", "v"),
-    "newer HoughLines 1 deg": ("#d55e00", ":", "x"),
-    "newer HoughLines 0.1 deg": ("#e69f00", ":", "x"),
-    "newer HoughLines 1/(2n)": ("#8c510a", ":", "x"),
 }
-READABLE = {"1 deg": "1°", "0.1 deg": "0.1°"}
+# Newer versions of cv::HoughLines have the colour of the installed one.
+NEWER = [(":", "x"), ("-.", "+"), ("--", "*")]
+
+
+def styles(times):
+    """This is {method: style} of what is drawn of these times, in the order of drawing."""
+    methods = set(times["method"])
+    versions = {match[1] for match in map(measurements.HOUGH.fullmatch, methods) if match} - {None}
+    versions = sorted(versions, key=lambda version: [int(part) for part in version.split(".")])
+    found = {}
+    for method, style in STYLE.items():
+        found[method] = style
+        hough = measurements.HOUGH.fullmatch(method)
+        for version, look in zip(versions if hough else [], itertools.cycle(NEWER)):
+            found[f"HoughLines {version} {hough[2]}"] = (style[0], *look)
+    return {method: style for method, style in found.items() if method in methods}
 
 
 def label(method):
     """A method's name for readers."""
-    for plain, sign in READABLE.items():
-        if method.endswith(" " + plain):
-            return method[:-len(plain)] + sign
-    return method
+    return method.replace(" 1 deg", " 1°").replace(" 0.1 deg", " 0.1°")
 
 
 def _milliseconds(axis):
@@ -47,9 +58,9 @@ def _milliseconds(axis):
     axis.set_minor_formatter(matplotlib.ticker.NullFormatter())
 
 
-def _curve(panel, method, x, rows, text):
+def _curve(panel, method, style, x, rows, text):
     """Medians as a line, quartiles as a band."""
-    colour, line, marker = STYLE[method]
+    colour, line, marker = style
     ours = method.startswith(("Line Space", "drop-in"))
     panel.plot(x, rows["median"], color=colour, linestyle=line, marker=marker, markersize=4,
                linewidth=2.2 if ours else 1.3, label=text, zorder=3 if ours else 2)
@@ -58,19 +69,19 @@ def _curve(panel, method, x, rows, text):
 
 def photographs(times, folder):
     """Every method at each size: a dot for each photograph, a larger one for their median."""
-    methods = [method for method in STYLE if method in set(times["method"])]
+    methods = styles(times)
     sizes = list(times.groupby(["width", "height"], sort=False).groups)
-    figure, panels = plt.subplots(1, len(sizes), figsize=(4.2 * len(sizes) + 2, 5), sharey=True,
-                                  squeeze=False, layout="constrained")
+    figure, panels = plt.subplots(1, len(sizes), sharey=True, squeeze=False, layout="constrained",
+                                  figsize=(4.2 * len(sizes) + 2, 1 + 0.27 * len(methods)))
     for panel, (width, height) in zip(panels[0], sizes):
         here = times[(times["width"] == width) & (times["height"] == height)]
-        for row, method in enumerate(methods):
+        for row, (method, (colour, *_)) in enumerate(methods.items()):
             values = here[here["method"] == method]["median"]
             if values.empty:
                 continue
             middle, ours = values.median(), method.startswith(("Line Space", "drop-in"))
-            panel.plot([values.min(), values.max()], [row, row], color=STYLE[method][0])
-            panel.plot(middle, row, "o", color=STYLE[method][0], markersize=9 if ours else 7)
+            panel.plot([values.min(), values.max()], [row, row], color=colour)
+            panel.plot(middle, row, "o", color=colour, markersize=9 if ours else 7)
             panel.plot(values, [row] * len(values), ".", color="black", markersize=3)
             panel.annotate(milliseconds(middle), (values.max(), row), xytext=(8, 0), fontsize=8,
                            textcoords="offset points", verticalalignment="center",
@@ -87,13 +98,11 @@ def photographs(times, folder):
 def over_size(times, folder):
     """Log-log, with the slope of each method in the legend."""
     figure, panel = plt.subplots(figsize=(8, 5.5))
-    for method in STYLE:
+    for method, style in styles(times).items():
         rows = times[times["method"] == method].sort_values("width")
-        if rows.empty:
-            continue
         slope = measurements.slope(rows["width"], rows["median"])
         text = label(method) + ("" if np.isnan(slope) else f", n^{slope:.1f}")
-        _curve(panel, method, rows["width"], rows, text)
+        _curve(panel, method, style, rows["width"], rows, text)
     panel.set(xscale="log", yscale="log", xlabel="n, pixels (n x n, building.jpg)",
               ylabel="milliseconds",
               title="Time over size; the slope is fitted from n = 256 on")
@@ -112,10 +121,9 @@ def over_density(times, folder):
                                   figsize=(5.5 * columns, 3.6 * -(-len(groups) // columns)),
                                   layout="constrained")
     for panel, ((width, image), here) in zip(panels.flat, groups):
-        for method in STYLE:
+        for method, style in styles(here).items():
             rows = here[here["method"] == method].sort_values("density")
-            if not rows.empty:
-                _curve(panel, method, 100 * rows["density"], rows, label(method))
+            _curve(panel, method, style, 100 * rows["density"], rows, label(method))
         kind = "random maps" if image == "random" else f"{image}, thresholds of Canny"
         panel.set(yscale="log", title=f"{width} x {width}, {kind}")
         panel.set_xlim(left=0)

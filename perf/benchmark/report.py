@@ -31,7 +31,8 @@ HEAD = """# Times beside other methods
 
 Every method is called on the same edge maps (Canny 50/150 of OpenCV's sample photographs, scaled to the size), one after the other in
 turn, at most {turns} times each, slow ones less often (n tells). The lines of every call of ours are compared with those by
-`BACKEND_REFERENCE` in the same process; a time counts only if they are equal.
+`BACKEND_REFERENCE` in the same process; a time counts only if they are equal. The fastest cv::HoughLines is, on each input, that of
+the OpenCV of this machine or of another one, whichever took least; its version follows the time.
 """
 
 

@@ -17,13 +17,6 @@ namespace benchmark {
 
 namespace {
 
-//! Adds a call under a name that tells more.
-Call renamed(Call call, const std::string& method)
-{
-    call.method = method;
-    return call;
-}
-
 std::vector<cv::Size> squares(const std::vector<int>& sides)
 {
     std::vector<cv::Size> sizes;
@@ -32,29 +25,33 @@ std::vector<cv::Size> squares(const std::vector<int>& sides)
     return sizes;
 }
 
-/** The drop-in beside cv::HoughLines, with two thresholds: a fifth of the shorter side, as
-everywhere, and a tenth, for thousands of lines, which "low" in a method's name tells. */
-std::vector<Call> houghCalls(const Input& input, bool low)
-{
-    const int threshold = low ? std::max(1, input.threshold / 2) : input.threshold;
-    const std::string mark = low ? " low" : "";
-    std::vector<Call> calls;
-    for (const char* step : {"1 deg", "0.1 deg"})
-        for (const Call& call :
-             {houghLines(input, step, threshold), dropIn(input, step, threshold)})
-            calls.push_back(renamed(call, call.method + mark));
-    return calls;
-}
-
 void append(std::vector<Call>& calls, const std::vector<Call>& more)
 {
     calls.insert(calls.end(), more.begin(), more.end());
 }
 
+/** The drop-in beside cv::HoughLines, with two thresholds: a fifth of the shorter side, as
+everywhere, and a tenth, for thousands of lines, which "low" in a method's name tells. */
+std::vector<Call> houghCalls(const Settings& settings, const std::vector<NewerOpenCv>& newer,
+                             const Input& input, bool low)
+{
+    const int threshold = low ? std::max(1, input.threshold / 2) : input.threshold;
+    std::vector<Call> calls;
+    for (const char* step : {"1 deg", "0.1 deg"})
+    {
+        append(calls, everyHoughLines(settings, newer, input, step, threshold));
+        calls.push_back(dropIn(input, step, threshold));
+    }
+    if (low)
+        for (Call& call : calls)
+            call.method += " low";
+    return calls;
+}
+
 } // namespace
 
 void timePhotographs(const Settings& settings, Recorder& recorder,
-                     const std::shared_ptr<ChildProcess>& newer)
+                     const std::vector<NewerOpenCv>& newer)
 {
     for (const cv::Size size : photographSizes(settings))
         for (const std::string& name : photographNames(settings))
@@ -64,19 +61,14 @@ void timePhotographs(const Settings& settings, Recorder& recorder,
             append(calls,
                    {fastHoughTransform(input), houghLinesP(input), lineSegmentDetector(input),
                     fastLineDetector(input), edgeDrawing(input), canny(input)});
-            append(calls, houghCalls(input, false));
-            append(calls, houghCalls(input, true));
-            calls.push_back(houghLines(input, "1/(2n)", input.threshold));
-            if (newer)
-                for (const char* step : {"1 deg", "0.1 deg"})
-                    calls.push_back(newerHoughLines(newer, settings, input, step, input.threshold));
-            if (newer && size.area() <= 1024 * 1024) // minutes beyond, for what is as above
-                calls.push_back(newerHoughLines(newer, settings, input, "1/(2n)", input.threshold));
+            append(calls, houghCalls(settings, newer, input, false));
+            append(calls, houghCalls(settings, newer, input, true));
+            append(calls, everyHoughLines(settings, newer, input, "1/(2n)", input.threshold));
             timeInTurn("photographs", input, calls, settings, recorder);
         }
 }
 
-void timePaper(const Settings& settings, Recorder& recorder)
+void timePaper(const Settings& settings, Recorder& recorder, const std::vector<NewerOpenCv>& newer)
 {
     if (!isOpenClThere())
         std::cerr << "Left out: OpenCL (no device; OPENCV_OPENCL_DEVICE names one)\n";
@@ -84,7 +76,8 @@ void timePaper(const Settings& settings, Recorder& recorder)
         for (const char* name : {"sudoku.png", "board.jpg"})
         {
             const Input input = photograph(settings.data, name, size);
-            std::vector<Call> calls = {houghLines(input, "1/(2n)", input.threshold)};
+            std::vector<Call> calls =
+                everyHoughLines(settings, newer, input, "1/(2n)", input.threshold);
             if (isOpenClThere())
                 calls.push_back(openClHoughLines(input, "1/(2n)"));
             append(calls, detections(input, {Kind::EXACT, Kind::UNPRUNED, Kind::DETECT}));
@@ -93,7 +86,7 @@ void timePaper(const Settings& settings, Recorder& recorder)
         }
 }
 
-void timeOpenCl(const Settings& settings, Recorder& recorder)
+void timeOpenCl(const Settings& settings, Recorder& recorder, const std::vector<NewerOpenCv>& newer)
 {
     if (!isOpenClThere())
         return;
@@ -102,14 +95,14 @@ void timeOpenCl(const Settings& settings, Recorder& recorder)
         {
             const Input input = photograph(settings.data, name, size);
             std::vector<Call> calls = {detection(input, Kind::DETECT),
-                                       dropIn(input, "1 deg", input.threshold),
-                                       houghLines(input, "1 deg", input.threshold)};
+                                       dropIn(input, "1 deg", input.threshold)};
+            append(calls, everyHoughLines(settings, newer, input, "1 deg", input.threshold));
             append(calls, openClCalls(input));
             timeInTurn("opencl", input, calls, settings, recorder);
         }
 }
 
-void timeOpenGl(const Settings& settings, Recorder& recorder)
+void timeOpenGl(const Settings& settings, Recorder& recorder, const std::vector<NewerOpenCv>& newer)
 {
     if (!isOpenGlThere())
     {
@@ -120,7 +113,8 @@ void timeOpenGl(const Settings& settings, Recorder& recorder)
         for (const char* name : {"sudoku.png", "board.jpg"})
         {
             const Input input = photograph(settings.data, name, size);
-            std::vector<Call> calls = {houghLines(input, "1/(2n)", input.threshold)};
+            std::vector<Call> calls =
+                everyHoughLines(settings, newer, input, "1/(2n)", input.threshold);
             append(calls, openGlDetections(input, {Kind::EXACT, Kind::DETECT}));
             append(calls, detections(input, {Kind::EXACT, Kind::UNPRUNED}));
             timeInTurn("opengl", input, calls, settings, recorder);
@@ -134,23 +128,26 @@ void timeOpenGl(const Settings& settings, Recorder& recorder)
     file.close();
 }
 
-void timeSizes(const Settings& settings, Recorder& recorder)
+void timeSizes(const Settings& settings, Recorder& recorder, const std::vector<NewerOpenCv>& newer)
 {
     for (const cv::Size size : squares(settings.some<int>({64, 128, 256, 512, 1024, 2048}, 3)))
     {
         const Input input = photograph(settings.data, "building.jpg", size);
         std::vector<Call> calls = detections(input, {Kind::DETECT, Kind::UNPRUNED});
-        append(calls, {fastHoughTransform(input), houghLines(input, "1 deg", input.threshold),
-                       houghLines(input, "0.1 deg", input.threshold),
-                       dropIn(input, "1 deg", input.threshold), houghLinesP(input),
-                       lineSegmentDetector(input), fastLineDetector(input), edgeDrawing(input)});
+        append(calls, {fastHoughTransform(input), dropIn(input, "1 deg", input.threshold),
+                       houghLinesP(input), lineSegmentDetector(input), fastLineDetector(input),
+                       edgeDrawing(input)});
+        std::vector<std::string> steps = {"1 deg", "0.1 deg"};
         if (size.width <= 1024) // minutes beyond
-            calls.push_back(houghLines(input, "1/(2n)", input.threshold));
+            steps.push_back("1/(2n)");
+        for (const std::string& step : steps)
+            append(calls, everyHoughLines(settings, newer, input, step, input.threshold));
         timeInTurn("sizes", input, calls, settings, recorder);
     }
 }
 
-void timeDensities(const Settings& settings, Recorder& recorder)
+void timeDensities(const Settings& settings, Recorder& recorder,
+                   const std::vector<NewerOpenCv>& newer)
 {
     for (const cv::Size size :
          squares(settings.quick ? std::vector<int>{128} : std::vector<int>{512, 1024}))
@@ -161,12 +158,12 @@ void timeDensities(const Settings& settings, Recorder& recorder)
             {
                 std::vector<Call> calls = detections(input, {Kind::DETECT, Kind::UNPRUNED});
                 append(calls,
-                       {fastHoughTransform(input), houghLines(input, "1 deg", input.threshold),
-                        houghLines(input, "0.1 deg", input.threshold), fastLineDetector(input),
-                        houghLinesP(input)});
+                       {fastHoughTransform(input), fastLineDetector(input), houghLinesP(input)});
+                std::vector<std::string> steps = {"1 deg", "0.1 deg"};
                 if (size.width <= 512)
-                    append(calls, {houghLines(input, "0.1 deg", input.threshold),
-                                   houghLines(input, "1/(2n)", input.threshold)});
+                    steps.push_back("1/(2n)");
+                for (const std::string& step : steps)
+                    append(calls, everyHoughLines(settings, newer, input, step, input.threshold));
                 timeInTurn("densities", input, calls, settings, recorder);
             }
 }

@@ -15,22 +15,25 @@ namespace benchmark {
 
 //! All methods on the four photographs at three sizes: what is required is judged by these.
 void timePhotographs(const Settings& settings, Recorder& recorder,
-                     const std::shared_ptr<ChildProcess>& newer);
+                     const std::vector<NewerOpenCv>& newer);
 
 //! Table 1 of the paper: two images of different density, n = 64 to 1024.
-void timePaper(const Settings& settings, Recorder& recorder);
+void timePaper(const Settings& settings, Recorder& recorder, const std::vector<NewerOpenCv>& newer);
 
 //! cv::UMat beside cv::Mat on the photographs.
-void timeOpenCl(const Settings& settings, Recorder& recorder);
+void timeOpenCl(const Settings& settings, Recorder& recorder,
+                const std::vector<NewerOpenCv>& newer);
 
 //! The columns of Table 1 of the paper for OpenGL, n = 64 to 512.
-void timeOpenGl(const Settings& settings, Recorder& recorder);
+void timeOpenGl(const Settings& settings, Recorder& recorder,
+                const std::vector<NewerOpenCv>& newer);
 
 //! One photograph at n = 64 to 2048.
-void timeSizes(const Settings& settings, Recorder& recorder);
+void timeSizes(const Settings& settings, Recorder& recorder, const std::vector<NewerOpenCv>& newer);
 
 //! 1 to 30 % edge pixels: random maps, and a photograph by other thresholds of Canny.
-void timeDensities(const Settings& settings, Recorder& recorder);
+void timeDensities(const Settings& settings, Recorder& recorder,
+                   const std::vector<NewerOpenCv>& newer);
 
 //! One thread to all cores.
 void timeThreads(const Settings& settings, Recorder& recorder);

@@ -12,12 +12,26 @@ import requirements
 from tables import Table, milliseconds, number
 
 VOTES = ("edge map", "level ")
+# Each of ours is compared with the fastest cv::HoughLines of an angle step.
+BESIDE = [("drop-in 1 deg", "1 deg"), ("drop-in 1 deg low", "1 deg low"),
+          ("drop-in 0.1 deg", "0.1 deg"), ("drop-in 0.1 deg low", "0.1 deg low"),
+          (requirements.OURS, "1 deg"), (requirements.OURS, "1/(2n)")]
 
 
 def spread(row):
     """Median, quartiles and number of calls of a row of measurements.summary."""
+    version = f", {row['version']}" if isinstance(row.get("version"), str) else ""
     return (f"{milliseconds(row['median'])} ({milliseconds(row['low'])} to "
-            f"{milliseconds(row['high'])}, n {row['n']})")
+            f"{milliseconds(row['high'])}, n {row['n']}{version})")
+
+
+def median_at(rows, key):
+    """This is the median of one of the rows, with the version of OpenCV where the row tells it."""
+    if key not in rows.index:
+        return "-"
+    row = rows.loc[key]
+    version = f" ({row['version']})" if isinstance(row.get("version"), str) else ""
+    return milliseconds(row["median"]) + version
 
 
 def size_text(width, height):
@@ -48,10 +62,11 @@ def write_photographs(report):
 
 *Line Space*: `detect` for the 100 strongest lines above a fifth of the shorter side, refined, by a detector that is kept; *unpruned*: with
 `setPruning(false)`; *first call*: a new detector each time. *Drop-in*: `cv::linespace::HoughLines`, all lines; *low*: above a tenth of
-the shorter side instead of a fifth, some thousands of lines. HoughLines: `cv::HoughLines(1, theta)`; *newer*: that of another
-OpenCV ({newer}), called from Python. LSD and EdgeDrawing look for edges themselves, on the grey image, so that their times
+the shorter side instead of a fifth, some thousands of lines. HoughLines: `cv::HoughLines(1, theta)` of OpenCV {installed}; with a version:
+that of a newer OpenCV ({newer}), called from Python. LSD and EdgeDrawing look for edges themselves, on the grey image, so that their times
 contain what *Canny* costs the others. FastHoughTransform is the transform alone. Milliseconds: medians (quartiles, n calls).
-""".format(newer=report.run.machine["newer_opencv"] or "none in this run"))
+""".format(installed=report.run.installed,
+           newer=report.run.machine["newer_opencv"] or "none in this run"))
     for (width, height), here in times.groupby(["width", "height"], sort=False):
         images = list(dict.fromkeys(here["image"]))
         table = Table(f"photographs-{width}x{height}", size_text(width, height),
@@ -59,7 +74,7 @@ contain what *Canny* costs the others. FastHoughTransform is the transform alone
         for method in dict.fromkeys(here["method"]):
             rows = here[here["method"] == method].set_index("image")
             ratio = measurements.ratios(here, method, requirements.OURS).median()
-            table.add(plots.label(method.replace(" low", "")) + (" low" * method.endswith(" low")),
+            table.add(plots.label(method),
                       *(spread(rows.loc[image]) if image in rows.index else "-"
                         for image in images), number(ratio, 2))
         report.table(table)
@@ -73,12 +88,32 @@ contain what *Canny* costs the others. FastHoughTransform is the transform alone
             rows = here[here["method"] == method].set_index("image")["lines"]
             table.add(method, *(str(rows.get(image, "-")) for image in images))
         report.table(table)
+        _write_beside_fastest(report, here, images)
     plots.photographs(times, report.folder)
     report.plot("photographs", "Times on photographs")
 
 
+def _write_beside_fastest(report, times, images):
+    """This compares ours with the fastest cv::HoughLines, at one size."""
+    width, height = times[["width", "height"]].iloc[0]
+    times = measurements.with_fastest(times, report.run.installed)
+    table = Table(f"fastest-{width}x{height}",
+                  "How many times as long as ours the fastest cv::HoughLines takes: its "
+                  f"milliseconds, {size_text(width, height)}",
+                  ["ours", "fastest cv::HoughLines", *images, "least", "median"])
+    for ours, step in BESIDE:
+        peer = f"fastest HoughLines {step}"
+        ratios = measurements.ratios(times, peer, ours).droplevel(["width", "height"])
+        rows = times[times["method"] == peer].set_index("image")
+        table.add(plots.label(ours), plots.label(" " + step).strip(),
+                  *(f"{number(ratios[image], 2)}: {median_at(rows, image)}"
+                    if image in ratios else "-" for image in images),
+                  number(ratios.min(), 2), number(ratios.median(), 2))
+    report.table(table)
+
+
 def write_paper(report):
-    times = report.run.section("paper")
+    times = report.run.section_with_fastest("paper")
     if times.empty:
         return
     device = report.run.machine["opencl"] or "none"
@@ -90,18 +125,20 @@ Times over the side n for two images of different density p of edge pixels, k = 
 `detect`; *pruned*: all of `detect` as it is by default. FHT: FastHoughTransform.
 """)
     table = Table("paper", "Table 1 with our columns",
-                  ["n", "image", "p", "Hough CPU", "Hough OpenCL", "Line Space", "first cells",
-                   "merges", "total", "lines", "pruned", "FHT"])
+                  ["n", "image", "p", "Hough CPU", "fastest cv::HoughLines", "Hough OpenCL",
+                   "Line Space", "first cells", "merges", "total", "lines", "pruned", "FHT"])
     stages = report.run.stages[(report.run.stages["section"] == "paper")
                                & (report.run.stages["method"] == requirements.UNPRUNED)]
     for (width, image), here in times.groupby(["width", "image"], sort=False):
-        value = here.set_index("method")["median"]
+        rows = here.set_index("method")
+        value = rows["median"]
         counted = stages[(stages["width"] == width) & (stages["image"] == image)]
         cells = counted[counted["stage"].isin(["edge map", "level 0"])]["median"].sum()
         total = counted[counted["stage"].str.startswith(VOTES)]["median"].sum()
         table.add(width, image, number(here["density"].iloc[0], 3),
-                  *(milliseconds(value.get(method, math.nan)) for method in
-                    ("HoughLines 1/(2n)", "OpenCL HoughLines 1/(2n)", "Line Space exact")),
+                  *(median_at(rows, method) for method in
+                    ("HoughLines 1/(2n)", "fastest HoughLines 1/(2n)",
+                     "OpenCL HoughLines 1/(2n)", "Line Space exact")),
                   milliseconds(cells), milliseconds(total - cells), milliseconds(total),
                   *(milliseconds(value.get(method, math.nan)) for method in
                     (requirements.UNPRUNED, requirements.OURS, "FastHoughTransform")))
@@ -109,7 +146,7 @@ Times over the side n for two images of different density p of edge pixels, k = 
 
 
 def write_opencl(report):
-    times = report.run.section("opencl")
+    times = report.run.section_with_fastest("opencl")
     if times.empty:
         return
     report.text("""## OpenCL
@@ -133,7 +170,7 @@ Milliseconds: medians (quartiles, n calls).
 
 
 def write_opengl(report):
-    times = report.run.section("opengl")
+    times = report.run.section_with_fastest("opengl")
     if times.empty:
         return
     report.text("""## OpenGL
@@ -143,19 +180,23 @@ cells, merges and both by the device's own clock; *lines*: all of `detect`. *CPU
 (1, 1/(2n)) on the CPU.
 """)
     table = Table("opengl", "Table 1 by OpenGL",
-                  ["n", "image", "p", "Hough CPU", "Line Space", "first cells", "merges", "total",
-                   "lines", "Line Space over lines", "CPU Line Space", "CPU lines"])
+                  ["n", "image", "p", "Hough CPU", "fastest cv::HoughLines", "Line Space",
+                   "first cells", "merges", "total", "lines", "Line Space over lines",
+                   "CPU Line Space", "CPU lines"])
     stages = report.run.stages[(report.run.stages["section"] == "opengl")
                                & (report.run.stages["method"] == "OpenGL Line Space")]
     for (width, image), here in times.groupby(["width", "image"], sort=False):
-        value = here.set_index("method")["median"]
+        rows = here.set_index("method")
+        value = rows["median"]
         counted = stages[(stages["width"] == width) & (stages["image"] == image)]
         cells = counted[counted["stage"] == "level 0"]["median"].sum()
         total = counted[counted["stage"].str.startswith("level ")]["median"].sum()
         exact, lines = (value.get(method, math.nan)
                         for method in ("OpenGL Line Space exact", "OpenGL Line Space"))
         table.add(width, image, number(here["density"].iloc[0], 3),
-                  milliseconds(value.get("HoughLines 1/(2n)", math.nan)), milliseconds(exact),
+                  *(median_at(rows, method)
+                    for method in ("HoughLines 1/(2n)", "fastest HoughLines 1/(2n)")),
+                  milliseconds(exact),
                   milliseconds(cells), milliseconds(total - cells), milliseconds(total),
                   milliseconds(lines), number(exact / lines, 1),
                   *(milliseconds(value.get(method, math.nan))
@@ -192,7 +233,7 @@ def _write_words(report):
 
 
 def write_sizes(report):
-    times = report.run.section("sizes")
+    times = report.run.section_with_fastest("sizes")
     if times.empty:
         return
     report.text("## Time over size\n\nbuilding.jpg at n x n, milliseconds (medians). The slope is the exponent of n from "
@@ -200,16 +241,16 @@ def write_sizes(report):
     sides = sorted(set(times["width"]))
     table = Table("sizes", "Time over n", ["method", *map(str, sides), "slope"])
     for method in dict.fromkeys(times["method"]):
-        rows = times[times["method"] == method].set_index("width")["median"]
-        table.add(plots.label(method), *(milliseconds(rows.get(n, math.nan)) for n in sides),
-                  number(measurements.slope(rows.index, rows), 2))
+        rows = times[times["method"] == method].set_index("width")
+        table.add(plots.label(method), *(median_at(rows, n) for n in sides),
+                  number(measurements.slope(rows.index, rows["median"]), 2))
     report.table(table)
     plots.over_size(times, report.folder)
     report.plot("size", "Time over size")
 
 
 def write_densities(report):
-    times = report.run.section("densities")
+    times = report.run.section_with_fastest("densities")
     if times.empty:
         return
     report.text("## Time over the share of edge pixels\n\nRandom maps of independent edge pixels, and the edges of board.jpg by other "
@@ -219,7 +260,7 @@ def write_densities(report):
         table = Table(f"densities-{image.split('.')[0]}-{width}", f"{image}, {width} x {width}",
                       ["method", *(f"{100 * share:.1f} %" for share in shares), "varies by"])
         for method in dict.fromkeys(here["method"]):
-            rows = here[here["method"] == method].set_index("density")["median"]
+            rows = here[here["method"] == method].set_index("density")
             _add_over(table, plots.label(method), rows, shares)
             if method == requirements.UNPRUNED:
                 _add_over(table, "votes", _votes(report.run.stages, image, width), shares)
@@ -232,14 +273,14 @@ def _votes(stages, image, width):
     here = stages[(stages["section"] == "densities") & (stages["image"] == image)
                   & (stages["width"] == width) & (stages["method"] == requirements.UNPRUNED)
                   & stages["stage"].str.startswith(VOTES)]
-    sums = here.groupby("edge_pixels")["median"].sum()
+    sums = here.groupby("edge_pixels")[["median"]].sum()
     sums.index = sums.index / width ** 2
     return sums
 
 
 def _add_over(table, name, rows, shares):
-    table.add(name, *(milliseconds(rows.get(share, math.nan)) for share in shares),
-              f"{100 * measurements.variation(rows):.0f} %")
+    table.add(name, *(median_at(rows, share) for share in shares),
+              f"{100 * measurements.variation(rows['median']):.0f} %")
 
 
 def write_threads(report):

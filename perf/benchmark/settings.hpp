@@ -14,14 +14,14 @@ namespace benchmark {
 
 struct Settings
 {
-    std::string data;        //!< folder of OpenCV's sample images
-    std::string output;      //!< folder to write to
-    std::string newerPython; //!< a Python with a newer cv2; empty: none
-    std::string program;     //!< this program's path, for child processes
-    int turns;               //!< most calls of a method on one input
-    double budget;           //!< milliseconds for the calls of a method on one input
-    int threads;             //!< of what is timed, where not the threads are the matter
-    bool quick;              //!< small images: shows that everything works, tells nothing of speed
+    std::string data;                      //!< folder of OpenCV's sample images
+    std::string output;                    //!< folder to write to
+    std::vector<std::string> newerPythons; //!< each has another newer cv2
+    std::string program;                   //!< this program's path, for child processes
+    int turns;                             //!< most calls of a method on one input
+    double budget;                         //!< milliseconds for the calls of a method on one input
+    int threads; //!< of what is timed, where not the threads are the matter
+    bool quick;  //!< small images: shows that everything works, tells nothing of speed
 
     //! The values that the quick run keeps: the first `count`.
     template<class Value>
