@@ -49,7 +49,8 @@ public:
             return edgeBits_->at(xMajor_, i, k);
         const uchar* const pixels = plane_.row(i) + k;
 #if LINESPACE_SIMD128
-        return v_signmask((v_load(pixels) & v_setall_u8(bits_)) != v_setzero_u8());
+        const v_uint8x16 own = v_and(v_load(pixels), v_setall_u8(bits_));
+        return v_signmask(v_ne(own, v_setzero_u8()));
 #else
         int mask = 0;
         for (int b = 0; b < WINDOW; ++b)
@@ -114,21 +115,22 @@ struct Columns
 #if LINESPACE_SIMD128_64F
         const v_float64x2 rhos = v_setall_f64(rho), majors = v_setall_f64(major),
                           minors = v_setall_f64(minor), reach = v_setall_f64(along);
-        const v_int32x4 none = v_setzero_s32(), end = v_setall_s32(limit);
+        const v_int32x4 none = v_setzero_s32(), one = v_setall_s32(1), end = v_setall_s32(limit);
         for (int j = 0; j < count; j += 4)
         {
             v_int32x4 first[2], last[2];
             for (int k = 0; k < 2; ++k)
             {
                 const v_float64x2 columns(start + j + 2 * k, start + j + 2 * k + 1);
-                const v_float64x2 middle = (rhos - columns * majors) / minors; // as centre()
-                first[k] = v_ceil(middle - reach);
-                last[k] = v_floor(middle + reach);
+                const v_float64x2 rest = v_sub(rhos, v_mul(columns, majors)),
+                                  middle = v_div(rest, minors); // as centre()
+                first[k] = v_ceil(v_sub(middle, reach));
+                last[k] = v_floor(v_add(middle, reach));
             }
             const v_int32x4 from = v_max(none, v_combine_low(first[0], first[1])),
-                            to = v_min(end, v_combine_low(last[0], last[1]) + v_setall_s32(1));
+                            to = v_min(end, v_add(v_combine_low(last[0], last[1]), one));
             v_store(firsts + j, from);
-            v_store(widths + j, v_max(none, to - from));
+            v_store(widths + j, v_max(none, v_sub(to, from)));
         }
 #else
         for (int j = 0; j < count; ++j)

@@ -195,7 +195,7 @@ void mergeBoundsOf(const Merge& merge, const BundleLevel& child, const Range& ro
 inline int neededBits(const ushort* required)
 {
     const v_uint16x8 none = v_setall_u16((ushort)BundleLevel::NOT_NEEDED);
-    return v_signmask(v_pack_b(v_load(required) != none, v_load(required + 8) != none));
+    return v_signmask(v_pack_b(v_ne(v_load(required), none), v_ne(v_load(required + 8), none)));
 }
 
 #else
@@ -341,7 +341,7 @@ public:
     VoteMatrix votes(const VoteMatrix& points) const
     {
         const v_uint16x8 flip = v_setall_u16((ushort)order_.flip);
-        const v_uint16x8 upper = points.upper ^ flip, lower = points.lower ^ flip;
+        const v_uint16x8 upper = v_xor(points.upper, flip), lower = v_xor(points.lower, flip);
         return VoteMatrix(lookUp(0, upper), lookUp(2, lower));
     }
 
@@ -641,7 +641,7 @@ inline int bitsAbove(const ushort* own, int votes)
     int bits = 0;
 #if LINESPACE_SIMD128
     const v_uint16x8 most = v_setall_u16((ushort)votes);
-    bits = v_signmask(v_pack_b(v_load(own) > most, v_load(own + 8) > most));
+    bits = v_signmask(v_pack_b(v_gt(v_load(own), most), v_gt(v_load(own + 8), most)));
 #else
     for (int k = 0; k < BUNDLE_CHORDS; ++k)
         bits |= (own[k] > votes) << k;

@@ -178,7 +178,7 @@ void addRuns(const ChildVotes* a, ptrdiff_t strideA, const ChildVotes* b, ptrdif
 //! Adds two bytes each, and remembers the largest sums; those that do not fit become 255.
 inline v_uint8x16 addNarrow(const v_uint8x16& a, const v_uint8x16& b, v_uint8x16& most)
 {
-    const v_uint8x16 sum = a + b;
+    const v_uint8x16 sum = v_add(a, b);
     most = v_max(most, sum);
     return sum;
 }

@@ -32,15 +32,15 @@ inline void sumWays(Pixels v, Store store)
     for (int sign = 1; sign >= -1; sign -= 2)
         for (int first = 0; first < 2; ++first)
         {
-            const Values begin = v(0, 0) + v(1, sign * first);
+            const Values begin = v_add(v(0, 0), v(1, sign * first));
             for (int second = 0; second < 2; ++second)
                 for (int third = 0; third < 2; ++third)
                 {
                     if (sign < 0 && first + second + third == 0)
                         continue;
                     const int middle = sign * (first + second);
-                    store(wayOf(sign * first, sign * second, sign * third),
-                          begin + (v(2, middle) + v(3, middle + sign * third)));
+                    const Values end = v_add(v(2, middle), v(3, middle + sign * third));
+                    store(wayOf(sign * first, sign * second, sign * third), v_add(begin, end));
                 }
         }
 }
@@ -156,7 +156,7 @@ struct EdgePieces::Walk
         const v_uint32x4 sign = v_setall_u32(0x80000000u); // comparisons are signed
         const auto ordered = [&](const v_uint32x4& values)
         {
-            return v_reinterpret_as_s32(values ^ sign);
+            return v_reinterpret_as_s32(v_xor(values, sign));
         };
         v_int32x4 fraction = ordered(v_load(fractions)), place = v_load(rows);
         const v_int32x4 fractionStep = v_setall_s32((int)(4 * step)),
@@ -169,12 +169,14 @@ struct EdgePieces::Walk
         }
         for (int group = 0; group < groups; group += 4)
         {
-            v_store(offsets + group, place + ((fraction > limits[0]) & farther[0]) +
-                                         ((fraction > limits[1]) & farther[1]) +
-                                         ((fraction > limits[2]) & farther[2]));
+            v_int32x4 offset = place;
+            for (int k = 0; k < LENGTH - 1; ++k)
+                offset = v_add(offset, v_and(v_gt(fraction, limits[k]), farther[k]));
+            v_store(offsets + group, offset);
             const v_int32x4 before = fraction;
-            fraction = fraction + fractionStep;
-            place = place + placeStep - (before > fraction); // one more where it has passed 1
+            fraction = v_add(fraction, fractionStep);
+            const v_int32x4 carry = v_gt(before, fraction); // -1 where it has passed 1
+            place = v_sub(v_add(place, placeStep), carry);
         }
         position += groups * step;
     }
@@ -207,10 +209,10 @@ inline void addBytes(const v_uint8x16& even, const v_uint8x16& odd, int* votes)
     v_expand(even, low[0], high[0]);
     v_expand(odd, low[1], high[1]);
     v_uint32x4 quarters[4];
-    v_expand(low[0] + low[1], quarters[0], quarters[1]);
-    v_expand(high[0] + high[1], quarters[2], quarters[3]);
+    v_expand(v_add(low[0], low[1]), quarters[0], quarters[1]);
+    v_expand(v_add(high[0], high[1]), quarters[2], quarters[3]);
     for (int i = 0; i < 4; ++i)
-        v_store(votes + 4 * i, v_load(votes + 4 * i) + v_reinterpret_as_s32(quarters[i]));
+        v_store(votes + 4 * i, v_add(v_load(votes + 4 * i), v_reinterpret_as_s32(quarters[i])));
 }
 
 const int MOST_GROUPS = 124; // until one of two sums of bytes may be full; a multiple of 4
@@ -234,14 +236,14 @@ inline void sumStrips(const uchar* sums, const int* starts, const int* offsets, 
             const ptrdiff_t first = offsets[group + k], second = offsets[group + k + 1];
             for (int i = 0; i < STRIPS; ++i)
             {
-                even[i] = even[i] + v_load(own[i] + first);
-                odd[i] = odd[i] + v_load(own[i] + second);
+                even[i] = v_add(even[i], v_load(own[i] + first));
+                odd[i] = v_add(odd[i], v_load(own[i] + second));
             }
         }
     for (; group < groups; ++group)
         for (int i = 0; i < STRIPS; ++i)
             (group % 2 ? odd : even)[i] =
-                (group % 2 ? odd : even)[i] + v_load(own[i] + offsets[group]);
+                v_add((group % 2 ? odd : even)[i], v_load(own[i] + offsets[group]));
     for (int i = 0; i < STRIPS; ++i)
         addBytes(even[i], odd[i], votes + i * PARALLEL);
 }

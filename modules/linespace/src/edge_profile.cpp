@@ -190,8 +190,8 @@ private:
 #if LINESPACE_SIMD128_64F
     void addHalf(int l, const v_float64x2& t, v_float64x2 value)
     {
-        for (int power = 0; power < 3; ++power, value = value * t)
-            v_store(sums_[power] + l, v_load(sums_[power] + l) + value);
+        for (int power = 0; power < 3; ++power, value = v_mul(value, t))
+            v_store(sums_[power] + l, v_add(v_load(sums_[power] + l), value));
     }
 #endif
     double sums_[3][BLOCK];
@@ -321,16 +321,18 @@ private:
 #if LINESPACE_SIMD128
         const v_float32x4 zero = v_setzero_f32(), one = v_setall_f32(1), four = v_setall_f32(4),
                           units = v_setall_f32(unit), step = v_setall_f32(step_);
-        const v_float32x4 first =
-            v_load(&first_[j]) - (v_setall_f32(a) + v_setall_f32(b) * v_load(&position_[j]));
+        const v_float32x4 rise = v_mul(v_setall_f32(b), v_load(&position_[j])),
+                          first = v_sub(v_load(&first_[j]), v_add(v_setall_f32(a), rise));
         v_float32x4 tap = zero, weights = zero, moments = zero, changes = zero;
-        for (int k = 0; k < taps_; ++k, gradients += BLOCK, tap = tap + one)
+        for (int k = 0; k < taps_; ++k, gradients += BLOCK, tap = v_add(tap, one))
         {
-            const v_float32x4 distance = first + tap * step, u = distance * distance * units,
-                              rest = v_max(one - u, zero), slope = v_load(gradients) * rest;
-            weights = weights + slope * rest;
-            moments = moments + slope * rest * distance;
-            changes = changes + slope * (rest - four * u);
+            const v_float32x4 distance = v_add(first, v_mul(tap, step)),
+                              u = v_mul(v_mul(distance, distance), units),
+                              rest = v_max(v_sub(one, u), zero),
+                              slope = v_mul(v_load(gradients), rest), weighted = v_mul(slope, rest);
+            weights = v_add(weights, weighted);
+            moments = v_add(moments, v_mul(weighted, distance));
+            changes = v_add(changes, v_mul(slope, v_sub(rest, v_mul(four, u))));
         }
         v_store(weight, weights);
         v_store(moment, moments);

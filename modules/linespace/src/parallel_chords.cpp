@@ -69,7 +69,7 @@ void addShorts(const v_uint16x8& low, const v_uint16x8& high, int* votes)
 template<bool IsOriented>
 inline v_uint8x16 voting(const v_uint8x16& values, const uchar* bits, const v_uint8x16& bit)
 {
-    return IsOriented ? values & ((v_load(bits) & bit) == bit) : values;
+    return IsOriented ? v_and(values, v_eq(v_and(v_load(bits), bit), bit)) : values;
 }
 
 /** Adds what `count` pixels say, and goes on by as many: 255 at most without weights, 257 with.
@@ -89,8 +89,8 @@ void sumParallelBy(AnySteps& allSteps, int count, const uchar* values, const uch
             const ptrdiff_t pixel = steps.next();
             v_uint16x8 first, second;
             v_expand(voting<IsOriented>(v_load(values + pixel), bits + pixel, bit), first, second);
-            low = low + first;
-            high = high + second;
+            low = v_add(low, first);
+            high = v_add(high, second);
         }
         addShorts(low, high, votes);
         allSteps = steps;
@@ -104,14 +104,14 @@ void sumParallelBy(AnySteps& allSteps, int count, const uchar* values, const uch
     v_uint8x16 even = v_setzero_u8(), odd = even;
     for (; count >= 4; count -= 4)
     {
-        even = even + next();
-        odd = odd + next();
-        even = even + next();
-        odd = odd + next();
+        even = v_add(even, next());
+        odd = v_add(odd, next());
+        even = v_add(even, next());
+        odd = v_add(odd, next());
     }
     for (; count > 0; --count)
-        even = even + next();
-    addBytes(even + odd, votes);
+        even = v_add(even, next());
+    addBytes(v_add(even, odd), votes);
     allSteps = steps;
 }
 

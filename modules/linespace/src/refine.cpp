@@ -125,9 +125,11 @@ private:
             const v_float64x2 cosines = v_setall_f64(cosine), sines = v_setall_f64(sine),
                               rho = v_setall_f64(line.rho), most = v_setall_f64(SUPPORT_DISTANCE);
             for (int b = 0; b < GROUP; b += 2)
-                near |=
-                    v_signmask(v_abs(v_load(x + b) * cosines + v_load(y + b) * sines - rho) <= most)
-                    << b;
+            {
+                const v_float64x2 across =
+                    v_add(v_mul(v_load(x + b), cosines), v_mul(v_load(y + b), sines));
+                near |= v_signmask(v_le(v_abs(v_sub(across, rho)), most)) << b;
+            }
 #else
             for (int b = 0; b < GROUP; ++b)
                 near |= (std::abs(x[b] * cosine + y[b] * sine - line.rho) <= SUPPORT_DISTANCE) << b;

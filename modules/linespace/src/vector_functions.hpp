@@ -2,55 +2,41 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// Operators of OpenCV's vectors where a version has functions in their place: 4.9 and 4.10 on ARM.
-// Where OpenCV has the operator, which is no template, the compiler prefers it to these.
+// Functions of OpenCV's vectors from its operators, for versions before 4.11: of these, only ARM's
+// from 4.9 on has all functions with its vectors, and no operators. Where a function is in the
+// namespace of OpenCV's vectors, the compiler prefers it to these, as it is no template or one for
+// fewer types.
 
-#ifndef OPENCV_LINESPACE_VECTOR_OPERATORS_HPP
-#define OPENCV_LINESPACE_VECTOR_OPERATORS_HPP
+#ifndef OPENCV_LINESPACE_VECTOR_FUNCTIONS_HPP
+#define OPENCV_LINESPACE_VECTOR_FUNCTIONS_HPP
 
 #include <opencv2/core/hal/intrin.hpp>
 
 namespace cv {
 namespace linespace {
 
-// For the types that have the function.
-#define LINESPACE_VECTOR_OPERATOR(op, function)                                                    \
+// For the types that have the operator.
+#define LINESPACE_VECTOR_FUNCTION(function, op)                                                    \
     template<class Vector>                                                                         \
-    inline auto operator op(const Vector& a, const Vector& b)->decltype(function(a, b))            \
+    inline auto function(const Vector& a, const Vector& b)->decltype(a op b)                       \
     {                                                                                              \
-        return function(a, b);                                                                     \
+        return a op b;                                                                             \
     }
 
-#define LINESPACE_VECTOR_ASSIGNMENT(op, function)                                                  \
-    template<class Vector>                                                                         \
-    inline auto operator op(Vector& a, const Vector& b)->decltype(a = function(a, b))              \
-    {                                                                                              \
-        return a = function(a, b);                                                                 \
-    }
+LINESPACE_VECTOR_FUNCTION(v_add, +)
+LINESPACE_VECTOR_FUNCTION(v_sub, -)
+LINESPACE_VECTOR_FUNCTION(v_mul, *)
+LINESPACE_VECTOR_FUNCTION(v_div, /)
+LINESPACE_VECTOR_FUNCTION(v_and, &)
+LINESPACE_VECTOR_FUNCTION(v_xor, ^)
+LINESPACE_VECTOR_FUNCTION(v_eq, ==)
+LINESPACE_VECTOR_FUNCTION(v_ne, !=)
+LINESPACE_VECTOR_FUNCTION(v_gt, >)
+LINESPACE_VECTOR_FUNCTION(v_le, <=)
 
-LINESPACE_VECTOR_OPERATOR(+, v_add)
-LINESPACE_VECTOR_OPERATOR(-, v_sub)
-LINESPACE_VECTOR_OPERATOR(*, v_mul)
-LINESPACE_VECTOR_OPERATOR(/, v_div)
-LINESPACE_VECTOR_OPERATOR(&, v_and)
-LINESPACE_VECTOR_OPERATOR(|, v_or)
-LINESPACE_VECTOR_OPERATOR(^, v_xor)
-LINESPACE_VECTOR_OPERATOR(==, v_eq)
-LINESPACE_VECTOR_OPERATOR(!=, v_ne)
-LINESPACE_VECTOR_OPERATOR(<, v_lt)
-LINESPACE_VECTOR_OPERATOR(>, v_gt)
-LINESPACE_VECTOR_OPERATOR(<=, v_le)
-LINESPACE_VECTOR_OPERATOR(>=, v_ge)
-LINESPACE_VECTOR_ASSIGNMENT(+=, v_add)
-LINESPACE_VECTOR_ASSIGNMENT(-=, v_sub)
-LINESPACE_VECTOR_ASSIGNMENT(*=, v_mul)
-LINESPACE_VECTOR_ASSIGNMENT(&=, v_and)
-LINESPACE_VECTOR_ASSIGNMENT(|=, v_or)
-
-#undef LINESPACE_VECTOR_OPERATOR
-#undef LINESPACE_VECTOR_ASSIGNMENT
+#undef LINESPACE_VECTOR_FUNCTION
 
 } // namespace linespace
 } // namespace cv
 
-#endif // OPENCV_LINESPACE_VECTOR_OPERATORS_HPP
+#endif // OPENCV_LINESPACE_VECTOR_FUNCTIONS_HPP

@@ -2,18 +2,17 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// OpenCV's vectors, of 128 bits or of the instruction set's width, with their operators, in any of
-// its versions, and whether to use them.
+// OpenCV's vectors, of 128 bits or of the instruction set's width, and whether to use them. They
+// have functions (v_add) in any of OpenCV's versions; from 4.11 on, its own modules must not use
+// operators.
 
 #ifndef OPENCV_LINESPACE_VECTORS_HPP
 #define OPENCV_LINESPACE_VECTORS_HPP
 
 #include <opencv2/core/hal/intrin.hpp>
 #include <opencv2/core/version.hpp>
-#if CV_VERSION_MAJOR > 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR >= 11)
-#include <opencv2/core/hal/intrin_legacy_ops.hpp> // operators; older versions have no functions
-#else
-#include "vector_operators.hpp"
+#if CV_VERSION_MAJOR < 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR < 11)
+#include "vector_functions.hpp"
 #endif
 
 // Where vectors have no fixed size (RISC-V), or to test what runs there, plain loops.

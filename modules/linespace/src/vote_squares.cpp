@@ -72,8 +72,8 @@ public:
         const int *const from = EDGE + SQUARE - left,
                          *const to = EDGE + 2 * SQUARE - 1 - std::min(right, SQUARE - 1),
                          *const beyond = EDGE + 2 * SQUARE - 1 - std::max(right - SQUARE, -1);
-        firstLow_ = v_load(from) & v_load(to);
-        firstHigh_ = v_load(from + 4) & v_load(to + 4);
+        firstLow_ = v_and(v_load(from), v_load(to));
+        firstHigh_ = v_and(v_load(from + 4), v_load(to + 4));
         secondLow_ = v_load(beyond);
 #endif
     }
@@ -83,11 +83,12 @@ public:
     //! square's column 4.)
     void addRow(const int* first, const int* second, int place)
     {
-        const v_int32x4 order = v_int32x4(31, 30, 29, 28) - v_setall_s32(place),
-                        next = order - v_setall_s32(4);
-        low_ = v_max(low_, (v_shl<5>(v_load(first)) + order) & firstLow_);
-        high_ = v_max(high_, (v_shl<5>(v_load(first + 4)) + next) & firstHigh_);
-        low_ = v_max(low_, (v_shl<5>(v_load(second)) + next - v_setall_s32(4)) & secondLow_);
+        const v_int32x4 four = v_setall_s32(4),
+                        order = v_sub(v_int32x4(31, 30, 29, 28), v_setall_s32(place)),
+                        next = v_sub(order, four);
+        low_ = v_max(low_, v_and(numbered(first, order), firstLow_));
+        high_ = v_max(high_, v_and(numbered(first + 4, next), firstHigh_));
+        low_ = v_max(low_, v_and(numbered(second, v_sub(next, four)), secondLow_));
     }
     void get(int& votes, int& place) const
     {
@@ -112,6 +113,14 @@ public:
 #endif
 
 private:
+#if LINESPACE_SIMD128
+    //! Votes of four chords with what is below them.
+    static v_int32x4 numbered(const int* votes, const v_int32x4& order)
+    {
+        return v_add(v_shl<5>(v_load(votes)), order);
+    }
+#endif
+
     int left_, right_;
 #if LINESPACE_SIMD128
     v_int32x4 low_, high_, firstLow_, firstHigh_, secondLow_;
