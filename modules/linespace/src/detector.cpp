@@ -28,7 +28,9 @@ namespace linespace {
 
 namespace {
 
-void checkImage(InputArray image, const char* name)
+//! The size of an image that can be counted; throws if it cannot. A vector is an image of one row,
+//! which OpenCV 5 gives one dimension.
+Size checkedSize(InputArray image, const char* name)
 {
     if (image.empty())
         CV_Error_(Error::StsBadSize, ("%s is empty: must be at least 1 x 1", name));
@@ -36,8 +38,9 @@ void checkImage(InputArray image, const char* name)
         CV_Error_(Error::StsUnsupportedFormat,
                   ("%s has %d dimensions and type %s: must be CV_8UC1 with two dimensions", name,
                    image.dims(), typeToString(image.type()).c_str()));
-    if (image.dims() != 2)
+    if (image.dims() > 2)
         CV_Error_(Error::StsBadSize, ("%s has %d dimensions: must be two", name, image.dims()));
+    return image.size();
 }
 
 //! Clears a table's row of cells and writes both triangles of one cell into the output.
@@ -106,13 +109,15 @@ public:
 
     void compute(InputArray edges, OutputArray lineSpace) CV_OVERRIDE
     {
-        withMemoryFor("edges", edges.size(), [&]() { writeLevel(edges, -1, lineSpace); });
+        withMemoryFor("edges", checkedSize(edges, "edges"),
+                      [&]() { writeLevel(edges, -1, lineSpace); });
     }
 
     void computeLevel(InputArray edges, int level, OutputArray cascade) CV_OVERRIDE
     {
         checkRange(level, 0, 62, "level", "0 to getLevelCount() - 1");
-        withMemoryFor("edges", edges.size(), [&]() { writeLevel(edges, level, cascade); });
+        withMemoryFor("edges", checkedSize(edges, "edges"),
+                      [&]() { writeLevel(edges, level, cascade); });
     }
 
     Size getFrameSize() const CV_OVERRIDE
@@ -193,7 +198,7 @@ public:
             mask_.release();
             return;
         }
-        checkImage(mask, "mask");
+        checkedSize(mask, "mask");
         mask_ = mask.getMat().clone();
     }
     void getMask(OutputArray mask) const CV_OVERRIDE
@@ -247,7 +252,7 @@ private:
     void detectLines(InputArray edges, const Gradients& gradients, OutputArray lines)
     {
         checkOutput(lines, "lines");
-        withMemoryFor("edges", edges.size(),
+        withMemoryFor("edges", checkedSize(edges, "edges"),
                       [&]()
                       {
                           const Input input = {edges, gradients};
@@ -367,12 +372,11 @@ private:
         stageTimes_ = counting.times;
     }
 
-    /** Checks the input and makes the plan and what an edge map has on a device.
+    /** Checks what the input, an image, asks for and makes the plan and what an edge map has on a device.
     @param level of which the votes are wanted; -1: of the last one. */
     void prepare(const Input& input, int level, bool writesTable, EdgeMap& edges,
                  Counting& counting)
     {
-        checkImage(input.edges, "edges");
         prepare("edges", input.edges.size(), input.gradients, level, writesTable, edges, counting);
         edges.source = onDevice(input.edges);
         edges.mask = mask_;

@@ -94,7 +94,7 @@ void Gradients::check(Size size) const
             CV_Error_(Error::StsBadSize,
                       ("%s is empty: must not be, unless both dx and dy are", one.name));
         if ((one.values.type() != CV_16SC1 && one.values.type() != CV_32FC1) ||
-            one.values.dims() != 2)
+            one.values.dims() > 2)
             CV_Error_(Error::StsUnsupportedFormat,
                       ("%s has %d dimensions and type %s: must be CV_16SC1 or CV_32FC1 with two "
                        "dimensions",

@@ -24,7 +24,8 @@ std::vector<Vec2f> polarLines(InputArray lines)
         return result;
     const Mat array = lines.getMat();
     const int type = array.type();
-    if ((type != CV_32FC2 && type != CV_32FC3) || array.dims != 2 ||
+    // In OpenCV 5 a std::vector is an array of one dimension, with one row.
+    if ((type != CV_32FC2 && type != CV_32FC3) || array.dims > 2 ||
         (array.cols != 1 && array.rows != 1))
         CV_Error_(
             Error::StsUnsupportedFormat,

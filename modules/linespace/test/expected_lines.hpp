@@ -43,7 +43,7 @@ public:
               const cv::Mat& directions = cv::Mat());
 
     //! pool 0: all candidates.
-    std::vector<brute::Candidate> select(int threshold, double ratio, int thinning, int radius,
+    std::vector<brute::Candidate> select(int fewerVotes, double ratio, int thinning, int radius,
                                          size_t pool = 0) const;
 
     cv::Size frame;

@@ -87,10 +87,15 @@ TEST(Linespace_EndPoints, upright_lines_and_misses)
 
 TEST(Linespace_EndPoints, kinds_of_arrays)
 {
-    const Mat lines = (Mat_<Vec2f>(3, 1) << Vec2f(3, 0), Vec2f(5, 1), Vec2f(2, 1.5f));
+    const Vec2f polar[] = {Vec2f(3, 0), Vec2f(5, 1), Vec2f(2, 1.5f)};
+    const Mat lines(3, 1, CV_32FC2, (void*)polar);
     Mat expected, got;
     lineEndPoints(lines, Size(20, 10), expected);
     lineEndPoints(lines.reshape(0, 1), Size(20, 10), got); // 1 x N
+    EXPECT_EQ(0, cvtest::norm(expected.reshape(1), got.reshape(1), NORM_INF));
+    EXPECT_EQ(Size(1, 3), got.size());
+    // In OpenCV 5 a vector has one dimension.
+    lineEndPoints(std::vector<Vec2f>(polar, polar + 3), Size(20, 10), got);
     EXPECT_EQ(0, cvtest::norm(expected.reshape(1), got.reshape(1), NORM_INF));
     EXPECT_EQ(Size(1, 3), got.size());
     UMat device;

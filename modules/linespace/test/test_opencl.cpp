@@ -92,7 +92,8 @@ TEST_F(Linespace_OpenCl, a_named_one_takes_any_array)
     EXPECT_EQ(BACKEND_OPENCL, detector->getActiveBackend());
     EXPECT_EQ(expected, fromMat);
     EXPECT_EQ(expected, fromUMat);
-    EXPECT_EQ(0, cvtest::norm(Mat(expected), lines.getMat(ACCESS_READ), NORM_INF));
+    const Mat_<Vec3f> read = lines.getMat(ACCESS_READ);
+    EXPECT_EQ(expected, Lines(read.begin(), read.end()));
 }
 
 TEST_F(Linespace_OpenCl, switched_off)
