@@ -10,6 +10,12 @@
 
 #include "executor_pool.hpp"
 #include "grid_support.hpp"
+#include "parameters.hpp"
+
+#include <opencv2/core/version.hpp>
+
+#include <climits>
+#include <limits>
 
 namespace cv {
 namespace linespace {
@@ -98,6 +104,29 @@ std::vector<GridLine> countedLines(InputArray image, bool weighted, const HoughG
     return found;
 }
 
+//! cv::HoughLines of OpenCV 5.1 and later refuses arguments of which earlier versions make something,
+//! and takes an empty image of any type for one without lines.
+const bool IS_STRICT = CV_VERSION_MAJOR > 5 || (CV_VERSION_MAJOR == 5 && CV_VERSION_MINOR >= 1);
+
+//! Throws where a strict cv::HoughLines does.
+void checkStrictly(double rho, double theta, int threshold, double minTheta, double maxTheta)
+{
+    // As in cv::HoughLines, steps are those of float.
+    const double least = std::numeric_limits<float>::denorm_min() / 2,
+                 most = std::numeric_limits<float>::max();
+    if (!(rho > least && rho <= most))
+        CV_Error_(Error::StsOutOfRange, ("rho = %.15g: must be more than 0 pixels, finite", rho));
+    if (!(theta > least && theta <= most))
+        CV_Error_(Error::StsOutOfRange,
+                  ("theta = %.15g: must be more than 0 radians, finite", theta));
+    checkRange(threshold, 0, INT_MAX, "threshold", "0 or more votes");
+    if (!(minTheta <= maxTheta))
+        CV_Error_(Error::StsOutOfRange,
+                  ("min_theta = %.15g, max_theta = %.15g: must be numbers, and min_theta not larger "
+                   "than max_theta",
+                   minTheta, maxTheta));
+}
+
 //! Keeps, strongest first, the lines that are not within one cell of a stronger one.
 std::vector<GridLine> strongestOfCells(std::vector<GridLine>& lines, const HoughGrid& grid)
 {
@@ -149,13 +178,24 @@ void HoughLines(InputArray image, OutputArray lines, double rho, double theta, i
                 Error::StsUnsupportedFormat,
                 ("lines has type %s: must be CV_32FC2 or CV_32FC3", typeToString(type).c_str()));
     }
+    if (IS_STRICT)
+    {
+        checkStrictly(rho, theta, threshold, min_theta, max_theta);
+        if (image.empty())
+        {
+            lines.release();
+            return;
+        }
+    }
     // What is on a device stays there.
     const Mat source = image.isUMat() ? Mat() : image.getMat();
     const int sourceType = image.isUMat() ? image.type() : source.type();
-    const Size size = image.isUMat() ? image.size() : source.size();
-    if (sourceType != CV_8UC1)
+    const int dimensions = image.isUMat() ? image.dims() : source.dims;
+    if (sourceType != CV_8UC1 || dimensions > 2)
         CV_Error_(Error::StsUnsupportedFormat,
-                  ("image has type %s: must be CV_8UC1", typeToString(sourceType).c_str()));
+                  ("image has %d dimensions and type %s: must be CV_8UC1 with two dimensions",
+                   dimensions, typeToString(sourceType).c_str()));
+    const Size size = image.isUMat() ? image.size() : source.size();
     // As in cv::HoughLines, a negative step is an error unless it is so large that there is nothing
     // to count.
     const double distances = (2. * (size.width + size.height) + 1) / rho,
