@@ -333,7 +333,7 @@ void GlDevice::check(const char* name)
 {
     const gl::GLenum error = gl_.GetError();
     isLost_ = isLost_ || error == gl::CONTEXT_LOST;
-    if (error == gl::NO_ERROR || std::uncaught_exception())
+    if (error == gl::NO_ERROR)
         return;
     if (isLost_)
         lose("the context is lost by a reset");

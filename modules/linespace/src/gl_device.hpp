@@ -22,6 +22,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <type_traits>
 
 namespace cv {
 namespace linespace {
@@ -170,19 +171,22 @@ private:
 
     //! Calls a function of OpenGL and throws if that is an error.
     template<class Function, class... Arguments>
-    auto call(const char* name, Function function, Arguments... arguments)
-        -> decltype(function(arguments...))
+    auto call(const char* name, Function function, Arguments... arguments) ->
+        typename std::enable_if<std::is_void<decltype(function(arguments...))>::value>::type
     {
-        const Checked checked(*this, name);
-        return function(arguments...);
+        function(arguments...);
+        check(name);
     }
-    struct Checked
+    //! The same of a function that returns something.
+    template<class Function, class... Arguments>
+    auto call(const char* name, Function function, Arguments... arguments) ->
+        typename std::enable_if<!std::is_void<decltype(function(arguments...))>::value,
+                                decltype(function(arguments...))>::type
     {
-        GlDevice& device;
-        const char* const name;
-        Checked(GlDevice& device_, const char* name_) : device(device_), name(name_) {}
-        ~Checked() noexcept(false) { device.check(name); }
-    };
+        const auto result = function(arguments...);
+        check(name);
+        return result;
+    }
 
     GlContext context_;
     gl::Functions gl_;
