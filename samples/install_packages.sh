@@ -14,7 +14,8 @@ set -euo pipefail
 # libepoxy: of the sample that draws with OpenGL.
 run=(g++ cmake ninja-build libopencv-dev nlohmann-json3-dev libcli11-dev opencv-doc libepoxy-dev)
 test=(
-    pkg-config python3 python3-dev python3-numpy xz-utils
+    # venv: pip fetches the sources of newer versions of OpenCV.
+    pkg-config python3 python3-dev python3-numpy python3-venv xz-utils
     # A software device for OpenCL and one for OpenGL without a display.
     pocl-opencl-icd ocl-icd-libopencl1 libegl1 libegl-mesa0 libgl1-mesa-dri
     # Another compiler of shaders; and what tells which libraries a library needs.

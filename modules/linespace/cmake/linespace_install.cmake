@@ -16,11 +16,13 @@ install(TARGETS opencv_linespace EXPORT opencv_linespace)
 install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.hpp")
 install(EXPORT opencv_linespace FILE opencv_linespace-targets.cmake DESTINATION "${package_dir}")
 
+math(EXPR linespace_next_minor "${OpenCV_VERSION_MINOR} + 1")
 configure_file(cmake/opencv_linespace-config.cmake.in opencv_linespace-config.cmake @ONLY)
 write_basic_package_version_file(opencv_linespace-config-version.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/opencv_linespace-config.cmake"
               "${CMAKE_CURRENT_BINARY_DIR}/opencv_linespace-config-version.cmake"
+              cmake/linespace_find_opencv.cmake
         DESTINATION "${package_dir}")
 
 configure_file(cmake/opencv_linespace.pc.in opencv_linespace.pc @ONLY)
