@@ -121,10 +121,11 @@ void checkStrictly(double rho, double theta, int threshold, double minTheta, dou
                   ("theta = %.15g: must be more than 0 radians, finite", theta));
     checkRange(threshold, 0, INT_MAX, "threshold", "0 or more votes");
     if (!(minTheta <= maxTheta))
-        CV_Error_(Error::StsOutOfRange,
-                  ("min_theta = %.15g, max_theta = %.15g: must be numbers, and min_theta not larger "
-                   "than max_theta",
-                   minTheta, maxTheta));
+        CV_Error_(
+            Error::StsOutOfRange,
+            ("min_theta = %.15g, max_theta = %.15g: must be numbers, and min_theta not larger "
+             "than max_theta",
+             minTheta, maxTheta));
 }
 
 //! Keeps, strongest first, the lines that are not within one cell of a stronger one.

@@ -74,7 +74,8 @@ TEST(Linespace_OpenClHoughLines, all_small_sizes)
                 randomEdges(Size(width, height), 0.2 + 0.1 * (variant % 7), (unsigned)variant);
             const Arguments arguments = {0.5 * (1 << variant % 3),
                                          variant % 5 ? CV_PI / 36 : CV_PI / 180,
-                                         variant % 4 ? (width + height) / 5 : variant % 3 - 1,
+                                         variant % 4 ? (width + height) / 5
+                                                     : std::max(variant % 3 - 1, leastThreshold()),
                                          variant % 2 ? -0.7 : 0,
                                          variant % 2 ? 0.8 : CV_PI,
                                          false};
@@ -187,7 +188,7 @@ TEST(Linespace_OpenClHoughLines, any_number_of_lines)
     for (int threshold : thresholds)
     {
         Arguments arguments = plain;
-        arguments.threshold = threshold;
+        arguments.threshold = std::max(threshold, leastThreshold());
         const Lines expected = houghLines(edges, arguments);
         EXPECT_EQ(expected, byDevice(onDevice, arguments)) << threshold;
         EXPECT_EQ(threshold == INT_MAX, expected.empty());

@@ -9,6 +9,7 @@
 
 #include <opencv2/core/ocl.hpp>
 
+#include <climits>
 #include <cstdlib>
 
 namespace opencv_test {
@@ -145,6 +146,20 @@ bool expectSameTable(const Mat& actual, const Mat& expected, const TableOrigin& 
                 return false;
             }
     return true;
+}
+
+int leastThreshold()
+{
+    try
+    {
+        Mat lines;
+        cv::HoughLines(Mat1b(3, 3, (uchar)0), lines, 1, CV_PI / 180, -1);
+    }
+    catch (const cv::Exception&)
+    {
+        return 0;
+    }
+    return INT_MIN;
 }
 
 std::string wrongException(const std::function<void()>& call, const std::vector<std::string>& words)

@@ -75,6 +75,10 @@ private:
     int before;
 };
 
+//! The smallest threshold that HoughLines takes: from OpenCV 5.1 on, cv::HoughLines refuses negative
+//! ones, and so does ours.
+int leastThreshold();
+
 //! Empty if the statement threw a cv::Exception whose message has all words; what is wrong
 //! otherwise.
 std::string wrongException(const std::function<void()>& call,
