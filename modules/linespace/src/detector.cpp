@@ -372,7 +372,7 @@ private:
         stageTimes_ = counting.times;
     }
 
-    /** Checks what the input, an image, asks for and makes the plan and what an edge map has on a device.
+    /** Makes the plan of an image that was checked, and what an edge map has on a device.
     @param level of which the votes are wanted; -1: of the last one. */
     void prepare(const Input& input, int level, bool writesTable, EdgeMap& edges,
                  Counting& counting)

@@ -104,19 +104,23 @@ std::vector<GridLine> countedLines(InputArray image, bool weighted, const HoughG
     return found;
 }
 
-//! cv::HoughLines of OpenCV 5.1 and later refuses arguments of which earlier versions make something,
-//! and takes an empty image of any type for one without lines.
+//! From OpenCV 5.1 on, cv::HoughLines refuses steps that are not positive and finite, and negative
+//! thresholds; then it takes an empty image of any type for one without lines.
 const bool IS_STRICT = CV_VERSION_MAJOR > 5 || (CV_VERSION_MAJOR == 5 && CV_VERSION_MINOR >= 1);
+
+//! Whether a strict cv::HoughLines takes a step, which it converts to float.
+bool isStep(double value)
+{
+    const float step = (float)value;
+    return step > 0 && step <= std::numeric_limits<float>::max();
+}
 
 //! Throws where a strict cv::HoughLines does.
 void checkStrictly(double rho, double theta, int threshold, double minTheta, double maxTheta)
 {
-    // As in cv::HoughLines, steps are those of float.
-    const double least = std::numeric_limits<float>::denorm_min() / 2,
-                 most = std::numeric_limits<float>::max();
-    if (!(rho > least && rho <= most))
+    if (!isStep(rho))
         CV_Error_(Error::StsOutOfRange, ("rho = %.15g: must be more than 0 pixels, finite", rho));
-    if (!(theta > least && theta <= most))
+    if (!isStep(theta))
         CV_Error_(Error::StsOutOfRange,
                   ("theta = %.15g: must be more than 0 radians, finite", theta));
     checkRange(threshold, 0, INT_MAX, "threshold", "0 or more votes");
@@ -170,15 +174,6 @@ std::vector<GridLine> strongestOfCells(std::vector<GridLine>& lines, const Hough
 void HoughLines(InputArray image, OutputArray lines, double rho, double theta, int threshold,
                 double srn, double stn, double min_theta, double max_theta, bool use_edgeval)
 {
-    int type = CV_32FC2;
-    if (lines.fixedType())
-    {
-        type = lines.type();
-        if (type != CV_32FC2 && type != CV_32FC3)
-            CV_Error_(
-                Error::StsUnsupportedFormat,
-                ("lines has type %s: must be CV_32FC2 or CV_32FC3", typeToString(type).c_str()));
-    }
     if (IS_STRICT)
     {
         checkStrictly(rho, theta, threshold, min_theta, max_theta);
@@ -187,6 +182,15 @@ void HoughLines(InputArray image, OutputArray lines, double rho, double theta, i
             lines.release();
             return;
         }
+    }
+    int type = CV_32FC2;
+    if (lines.fixedType())
+    {
+        type = lines.type();
+        if (type != CV_32FC2 && type != CV_32FC3)
+            CV_Error_(
+                Error::StsUnsupportedFormat,
+                ("lines has type %s: must be CV_32FC2 or CV_32FC3", typeToString(type).c_str()));
     }
     // What is on a device stays there.
     const Mat source = image.isUMat() ? Mat() : image.getMat();

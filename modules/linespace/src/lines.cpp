@@ -22,11 +22,15 @@ std::vector<Vec2f> polarLines(InputArray lines)
     std::vector<Vec2f> result;
     if (lines.empty())
         return result;
-    const Mat array = lines.getMat();
-    const int type = array.type();
+    const int type = lines.type();
     // In OpenCV 5 a std::vector is an array of one dimension, with one row.
-    if ((type != CV_32FC2 && type != CV_32FC3) || array.dims > 2 ||
-        (array.cols != 1 && array.rows != 1))
+    if ((type != CV_32FC2 && type != CV_32FC3) || lines.dims() > 2)
+        CV_Error_(Error::StsUnsupportedFormat,
+                  ("lines has %d dimensions and type %s: must be N x 1 or 1 x N, CV_32FC2 or "
+                   "CV_32FC3",
+                   lines.dims(), typeToString(type).c_str()));
+    const Mat array = lines.getMat();
+    if (array.cols != 1 && array.rows != 1)
         CV_Error_(
             Error::StsUnsupportedFormat,
             ("lines has %d x %d elements of type %s: must be N x 1 or 1 x N, CV_32FC2 or CV_32FC3",
@@ -75,10 +79,12 @@ void lineEndPoints(InputArray lines, Size imageSize, OutputArray endPoints)
 void drawLines(InputOutputArray image, InputArray lines, const Scalar& color, int thickness)
 {
     const int type = image.type();
-    if (image.empty() || (type != CV_8UC1 && type != CV_8UC3 && type != CV_8UC4))
+    if (image.empty() || image.dims() > 2 ||
+        (type != CV_8UC1 && type != CV_8UC3 && type != CV_8UC4))
         CV_Error_(Error::StsUnsupportedFormat,
-                  ("image has type %s: must be CV_8UC1, CV_8UC3 or CV_8UC4 and not empty",
-                   typeToString(type).c_str()));
+                  ("image has %d dimensions and type %s: must be CV_8UC1, CV_8UC3 or CV_8UC4 with "
+                   "two dimensions, and not empty",
+                   image.dims(), typeToString(type).c_str()));
     if (thickness < 1 || thickness > 32767)
         CV_Error_(Error::StsOutOfRange, ("thickness = %d: must be 1 to 32767 pixels", thickness));
     Mat ends;

@@ -2,10 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// Functions of OpenCV's vectors from its operators, for versions before 4.11: of these, only ARM's
-// from 4.9 on has all functions with its vectors, and no operators. Where a function is in the
-// namespace of OpenCV's vectors, the compiler prefers it to these, as it is no template or one for
-// fewer types.
+// OpenCV before 4.11 has operators on vectors, but not all of the functions v_add, v_and and so on:
+// this header defines the missing ones by the operators. Where OpenCV has a function, which is no
+// template or one for fewer types, the compiler prefers it to these.
 
 #ifndef OPENCV_LINESPACE_VECTOR_FUNCTIONS_HPP
 #define OPENCV_LINESPACE_VECTOR_FUNCTIONS_HPP

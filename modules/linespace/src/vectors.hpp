@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// OpenCV's vectors, of 128 bits or of the instruction set's width, and whether to use them. They
-// have functions (v_add) in any of OpenCV's versions; from 4.11 on, its own modules must not use
-// operators.
+// This header includes OpenCV's vectors, of 128 bits or of the instruction set's width, and says
+// whether they are used. Sources call functions (v_add) in place of operators, which OpenCV forbids
+// in its own modules from 4.11 on.
 
 #ifndef OPENCV_LINESPACE_VECTORS_HPP
 #define OPENCV_LINESPACE_VECTORS_HPP

@@ -61,10 +61,10 @@ Selection::Selection(const Mat& edges, int method, int cellSize, bool weighted,
                                                          weighted, directions);
 }
 
-std::vector<Candidate> Selection::select(int fewerVotes, double ratio, int thinning, int radius,
+std::vector<Candidate> Selection::select(int mostRefused, double ratio, int thinning, int radius,
                                          size_t pool) const
 {
-    std::vector<Candidate> all = brute::chordsAbove(table, frame, ratio * fewerVotes);
+    std::vector<Candidate> all = brute::chordsAbove(table, frame, ratio * mostRefused);
     const int ascent = climbs ? std::min(radius, 2) : 0;
     if (thinning == THIN_RING && ascent == radius && climbs)
         all = parallelMaxima(all);
@@ -82,7 +82,7 @@ std::vector<Candidate> Selection::select(int fewerVotes, double ratio, int thinn
     {
         const Candidate start = {all[i].s, all[i].e, exact(all[i].s, all[i].e)};
         const Candidate candidate = climb(start, ascent);
-        if (candidate.votes > fewerVotes)
+        if (candidate.votes > mostRefused)
             reached[std::make_pair(candidate.s, candidate.e)] = candidate;
     }
     std::vector<Candidate> kept;

@@ -42,8 +42,8 @@ public:
     Selection(const cv::Mat& edges, int method, int cellSize, bool weighted = false,
               const cv::Mat& directions = cv::Mat());
 
-    //! pool 0: all candidates.
-    std::vector<brute::Candidate> select(int fewerVotes, double ratio, int thinning, int radius,
+    //! Lines must have more than mostRefused votes; pool 0: all candidates.
+    std::vector<brute::Candidate> select(int mostRefused, double ratio, int thinning, int radius,
                                          size_t pool = 0) const;
 
     cv::Size frame;

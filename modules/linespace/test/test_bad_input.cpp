@@ -89,6 +89,28 @@ TEST_P(Linespace_BadInput, edges)
     expectWorksOn();
 }
 
+// From OpenCV 5 on a vector has one dimension: it is an image of one row as before.
+TEST_P(Linespace_BadInput, vectors_are_images_of_one_row)
+{
+    const std::vector<uchar> row(60, (uchar)1), mask(60, (uchar)1);
+    const std::vector<short> dx(60, (short)0), dy(60, (short)100);
+    Mat rowAsMat(1, 60, CV_8UC1, Scalar(1)), dxAsMat(1, 60, CV_16SC1, Scalar(0)),
+        dyAsMat(1, 60, CV_16SC1, Scalar(100));
+    detector->setMask(mask);
+    Lines vectors, images;
+    detector->detect(row, vectors);
+    detector->detect(rowAsMat, images);
+    EXPECT_EQ(images, vectors);
+    detector->detect(row, dx, dy, vectors);
+    detector->detect(rowAsMat, dxAsMat, dyAsMat, images);
+    EXPECT_EQ(images, vectors);
+    EXPECT_FALSE(images.empty());
+    Mat table, expected;
+    detector->compute(row, table);
+    detector->compute(rowAsMat, expected);
+    EXPECT_EQ(0, cvtest::norm(table, expected, NORM_INF));
+}
+
 TEST_P(Linespace_BadInput, mask)
 {
     detector->setMask(Mat1b(good.size(), (uchar)1));

@@ -120,7 +120,31 @@ TEST(Linespace_EndPoints, bad_input)
                                  {"lines"}));
     EXPECT_EQ("", wrongException([&]() { lineEndPoints(Mat_<Vec2d>(2, 1), Size(5, 5), out); },
                                  {"lines"}));
+    const int sizes[] = {2, 3, 4};
+    EXPECT_EQ("", wrongException(
+                      [&]()
+                      { lineEndPoints(Mat(3, sizes, CV_32FC2, Scalar::all(0)), Size(5, 5), out); },
+                      {"lines", "3 dimensions"}));
     EXPECT_EQ(std::vector<Vec4f>(2, sentinel), out);
+}
+
+// As README's example hands them over: from OpenCV 5 on, a vector has one dimension.
+TEST(Linespace_Draw, vectors_of_lines)
+{
+    const std::vector<Vec3f> lines = {Vec3f(3, 0, 9), Vec3f(4, 1, 8)};
+    Mat1b expected(9, 12, (uchar)0), actual = expected.clone();
+    drawLines(expected, Mat(2, 1, CV_32FC3, (void*)lines.data()), Scalar(255));
+    drawLines(actual, lines, Scalar(255));
+    EXPECT_EQ(0, cvtest::norm(expected, actual, NORM_INF));
+    EXPECT_GT(countNonZero(actual), 10);
+}
+
+TEST(Linespace_Draw, three_dimensions_are_refused)
+{
+    const int sizes[] = {2, 3, 4};
+    Mat image(3, sizes, CV_8UC1, Scalar(0));
+    EXPECT_EQ("", wrongException([&]() { drawLines(image, std::vector<Vec3f>(1), Scalar(1)); },
+                                 {"image", "3 dimensions"}));
 }
 
 TEST(Linespace_Draw, pixels_of_a_line)

@@ -307,17 +307,18 @@ that type. Order: votes descending, then theta, then rho ascending. votes are th
 of their values) within rho / 2 of the line.
 @param rho distance resolution in pixels, > 0.
 @param theta angle resolution in radians, > 0.
-@param threshold only lines with more votes are reported. 0 is a number of votes, and so is a negative
-number with an OpenCV before 5.1.
+@param threshold only lines with more votes are reported. 0 is a number of votes; with an OpenCV
+before 5.1 so is a negative number.
 @param srn,stn divisors of rho and theta for the multi-scale transform: the result has at least the
 resolution rho / srn, theta / stn.
 @param min_theta,max_theta theta lies in [min_theta, max_theta], radians, any real interval; of an
 interval of pi or more, every line is reported once, in [min_theta, min_theta + pi).
 @param use_edgeval count each pixel with its value.
-@throws cv::Exception where the cv::HoughLines of the OpenCV that the module is built with throws:
-always if lines has another type, image is not CV_8UC1, or min_theta > max_theta; from OpenCV 5.1 on
-if rho or theta is not positive and finite, or threshold is negative, while earlier versions find no
-lines with some such steps.
+@throws cv::Exception where the cv::HoughLines of the OpenCV that the module is built with throws.
+Before OpenCV 5.1 these are: lines of another type, an image that is not CV_8UC1, min_theta larger
+than max_theta, angles that are not finite, and steps that are 0, negative or not a number (but a very
+large negative step just finds no lines). From 5.1 on, rho and theta must be positive and finite as
+float and the threshold 0 or more, and an empty image of any type has no lines.
 */
 CV_EXPORTS_W void HoughLines(InputArray image, OutputArray lines, double rho, double theta,
                              int threshold, double srn = 0, double stn = 0, double min_theta = 0,
