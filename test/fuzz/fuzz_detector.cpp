@@ -31,7 +31,7 @@ Outcome run(int backend, const std::vector<uint8_t>& bytes)
     {
         const int threshold = data.ConsumeIntegralInRange(-2, 60),
                   most = data.ConsumeIntegralInRange(-2, 20);
-        const int method = data.ConsumeIntegralInRange(-1, 2),
+        const int method = data.ConsumeIntegralInRange(-1, 3),
                   cellSize = data.ConsumeIntegralInRange(1, 66);
         cv::Ptr<ls::LineSpaceDetector> detector =
             ls::LineSpaceDetector::create(threshold, most, method, cellSize, backend);

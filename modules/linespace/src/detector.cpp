@@ -16,6 +16,7 @@
 #include "refine.hpp"
 #include "selection.hpp"
 #include "stage_times.hpp"
+#include "strips/strip_candidates.hpp"
 
 #include <opencv2/core/ocl.hpp>
 
@@ -62,6 +63,10 @@ void writeCell(const VoteTable& table, const Cell& cell, size_t cellIndex, Mat o
 const int MOST_PRUNED_RADIUS = 4;
 const size_t MOST_FAILED_SIZES = 16;
 const int LIST_PAUSE = 16;
+
+//! METHOD_STRIPS with SELECT_EXPLAIN: York's recall at 2 px, strongest 100, was 0.629, 0.703 and 0.706
+//! with 1, 4 and 8 of them (perf/accuracy.sh); each costs time.
+const size_t CANDIDATES_PER_LINE = 4;
 
 class LineSpaceDetectorImpl CV_FINAL : public LineSpaceDetector
 {
@@ -236,6 +241,7 @@ public:
         left_.clear();
         bits_.clear();
         squares_.clear();
+        strips_.clear();
         angleEnds_ = AngleEnds();
         listPause_ = 0;
         deviations_.clear();
@@ -258,6 +264,8 @@ private:
                           const Input input = {edges, gradients};
                           EdgeMap map;
                           Counting counting;
+                          if (parameters_.method == METHOD_STRIPS)
+                              checkBackendForStrips();
                           prepare(input, -1, false, map, counting);
                           std::vector<Vec3f> found, deviations;
                           findLines(input, map, counting, found, deviations);
@@ -291,13 +299,52 @@ private:
         return plan_->level(level);
     }
 
-    Ptr<const Plan> planFor(Size size) const
+    //! METHOD_STRIPS has no tables of its own to write.
+    int methodFor(bool writesTable) const
     {
-        const bool exact = parameters_.method == METHOD_EXACT;
-        if (plan_ && plan_->imageSize() == size && planMethod_ == parameters_.method &&
-            (exact || planCellSize_ == parameters_.cellSize))
+        return parameters_.method == METHOD_STRIPS && writesTable ? (int)METHOD_CASCADED
+                                                                  : parameters_.method;
+    }
+
+    Ptr<const Plan> planFor(Size size, int method) const
+    {
+        const bool isCascaded = method == METHOD_CASCADED;
+        if (plan_ && plan_->imageSize() == size && planMethod_ == method &&
+            (!isCascaded || planCellSize_ == parameters_.cellSize))
             return plan_;
-        return exact ? Plan::exact(size) : Plan::cascaded(size, parameters_.cellSize);
+        return isCascaded ? Plan::cascaded(size, parameters_.cellSize) : Plan::exact(size);
+    }
+
+    //! What METHOD_STRIPS cannot do, the others can.
+    void checkForStrips() const
+    {
+        const int radius = parameters_.suppressionRadius;
+        if (parameters_.suppression != SUPPRESS_RING || radius < 1 || radius > MAX_ASCENT_RADIUS)
+            CV_Error_(Error::StsBadArg,
+                      ("suppression = %d with suppressionRadius = %d: must be SUPPRESS_RING (0) "
+                       "with 1 or 2 for METHOD_STRIPS; METHOD_CASCADED takes any",
+                       parameters_.suppression, radius));
+    }
+    void checkBackendForStrips() const
+    {
+        if (parameters_.backend == BACKEND_OPENCL || parameters_.backend == BACKEND_OPENGL)
+            CV_Error_(
+                Error::StsNotImplemented,
+                ("backend = %s: METHOD_STRIPS does not run there yet, must be BACKEND_AUTO, "
+                 "BACKEND_CPU or BACKEND_REFERENCE; METHOD_CASCADED runs on any",
+                 parameters_.backend == BACKEND_OPENCL ? "BACKEND_OPENCL" : "BACKEND_OPENGL"));
+    }
+
+    //! Bytes that METHOD_STRIPS needs, but for lists.
+    double stripBytes(Size image, bool isOriented) const
+    {
+        const bool weighted = parameters_.edgeWeights;
+        const Cell frame(image.width, image.height);
+        const double pixels = (double)image.width * image.height;
+        const int copies = 1 + (parameters_.selection == SELECT_EXPLAIN);
+        return (1 + !mask_.empty() + 2 * isOriented) * pixels +
+               copies * EdgePlanes::memory(frame, weighted, isOriented) +
+               StripCandidates::memory(image, weighted);
     }
 
     //! Bytes that lines need after the votes, but for the candidates themselves if all are asked
@@ -323,18 +370,14 @@ private:
         return (size_t)std::min<int64>(most, INT_MAX); // where size_t has 32 bits
     }
 
-    void checkMemory(const char* name, const Plan& plan, bool oriented, int level,
-                     double resultBytes) const
+    void checkMemory(const char* name, Size size, double bytes) const
     {
-        const double bytes =
-            workingMemory(plan, parameters_.edgeWeights, oriented, level) + resultBytes;
         const double mebibytes = bytes / (1 << 20);
         if (mebibytes > parameters_.memoryLimit)
             CV_Error_(Error::StsNoMem,
                       ("%s of %d x %d pixels need %.0f MiB of memory: must be at most "
                        "memoryLimit = %d MiB",
-                       name, plan.imageSize().width, plan.imageSize().height, mebibytes,
-                       parameters_.memoryLimit));
+                       name, size.width, size.height, mebibytes, parameters_.memoryLimit));
     }
 
     //! What an edge map is made of; kept, so that the next one needs no memory.
@@ -350,7 +393,8 @@ private:
     {
         Ptr<const Plan> plan;
         Ptr<Executor> executor;
-        int level; //!< whose votes were counted last
+        int method; //!< METHOD_CASCADED where tables of METHOD_STRIPS are asked for
+        int level;  //!< whose votes were counted last
         StageTimes times;
     };
 
@@ -365,7 +409,7 @@ private:
     void keep(const Counting& counting)
     {
         plan_ = counting.plan;
-        planMethod_ = parameters_.method;
+        planMethod_ = counting.method;
         planCellSize_ = parameters_.cellSize;
         activeBackend_ = counting.executor->backend();
         executors_[activeBackend_] = counting.executor;
@@ -397,13 +441,21 @@ private:
             CV_Error_(Error::StsOutOfRange,
                       ("%s has %d x %d pixels: width + height must be at most 2^28", name,
                        size.width, size.height));
-        const Ptr<const Plan> plan = planFor(size);
+        counting.method = methodFor(writesTable);
+        if (counting.method == METHOD_STRIPS)
+            checkForStrips();
+        const Ptr<const Plan> plan = planFor(size, counting.method);
         counting.level = level < 0 ? plan->levelCount() - 1 : level;
         checkRange(counting.level, 0, plan->levelCount() - 1, "level",
                    "less than the number of levels of this image size");
-        checkMemory(name, *plan, gradients.isOriented, counting.level,
-                    writesTable ? tableBytes(plan->level(counting.level), size)
-                                : selectionBytes(*plan, gradients.isOriented));
+        const bool isOriented = gradients.isOriented;
+        checkMemory(
+            name, size,
+            counting.method == METHOD_STRIPS
+                ? stripBytes(size, isOriented)
+                : workingMemory(*plan, parameters_.edgeWeights, isOriented, counting.level) +
+                      (writesTable ? tableBytes(plan->level(counting.level), size)
+                                   : selectionBytes(*plan, isOriented)));
         counting.plan = plan;
         edges.weighted = parameters_.edgeWeights;
     }
@@ -654,9 +706,54 @@ private:
         planes_.reset(edges, counting.plan->frame());
     }
 
+    //! METHOD_STRIPS, which the host does, wherever the map is.
+    void findStripLines(const Input& input, EdgeMap& edges, Counting& counting,
+                        std::vector<Vec3f>& lines, std::vector<Vec3f>& deviations)
+    {
+        const Plan& plan = *counting.plan;
+        const AngleInterval angles = {parameters_.minTheta, parameters_.maxTheta};
+        const bool isReference = chosenBackend(parameters_.backend, false) == BACKEND_REFERENCE;
+        const Ptr<Executor> host =
+            executorFor(isReference ? BACKEND_REFERENCE : BACKEND_CPU, false, executors_);
+        if (edges.isTaken)
+        {
+            const WorkingTime time(*counting.executor);
+            counting.executor->readTaken(images_.votes);
+            edges.votes = images_.votes;
+            executors_[counting.executor->backend()] = counting.executor;
+        }
+        counting.executor = host;
+        readEdges(input, edges, *host, counting);
+        planes_.reset(edges, plan.frame());
+        counting.times.end("edge map");
+        const Requirement requirement = requirementFor(edges, plan);
+        lines.clear();
+        deviations.clear();
+        if (requirement.threshold == INT_MAX)
+            return;
+        // What the lines taken explain is lost to the candidates after them, so that more are needed.
+        const bool explains = parameters_.selection == SELECT_EXPLAIN;
+        const StripWanted wanted = {requirement, angles,
+                                    (explains ? CANDIDATES_PER_LINE : 1) *
+                                        (size_t)parameters_.maxLines,
+                                    parameters_.suppressionDistance};
+        const std::vector<Candidate> candidates =
+            strips_.find(planes_, plan, wanted, isReference, counting.times);
+        const std::vector<Selected> chosen =
+            select(edges, plan, requirement, angles, candidates, false);
+        for (size_t i = 0; i < chosen.size(); ++i)
+            report(chosen[i], angles, lines, deviations);
+        counting.times.end("selection");
+    }
+
     void findLines(const Input& input, EdgeMap& edges, Counting& counting,
                    std::vector<Vec3f>& lines, std::vector<Vec3f>& deviations)
     {
+        if (parameters_.method == METHOD_STRIPS)
+        {
+            findStripLines(input, edges, counting, lines, deviations);
+            return;
+        }
         const Plan& plan = *counting.plan;
         const AngleInterval angles = {parameters_.minTheta, parameters_.maxTheta};
         runWith(input.edges.isUMat(), counting,
@@ -959,6 +1056,7 @@ private:
     EdgePlanes planes_, left_; // left_: see selectLines
     EdgeBits bits_;            // in their place, where the map stays on a device
     VoteSquares squares_;
+    StripCandidates strips_;
     AngleEnds angleEnds_;
     int listPause_;                 // images to come that suppressGreedily does not try
     std::vector<Vec3f> deviations_; // of the lines of the last detect

@@ -39,8 +39,8 @@ void Parameters::check() const
     const double most = std::numeric_limits<double>::max();
     checkRange(threshold, 0, INT_MAX, "threshold", "0 or more votes");
     checkRange(maxLines, 0, INT_MAX, "maxLines", "0 (all) or more");
-    checkRange(method, (int)METHOD_EXACT, (int)METHOD_CASCADED, "method",
-               "METHOD_EXACT (0) or METHOD_CASCADED (1)");
+    checkRange(method, (int)METHOD_EXACT, (int)METHOD_STRIPS, "method",
+               "METHOD_EXACT (0), METHOD_CASCADED (1) or METHOD_STRIPS (2)");
     checkRange(cellSize, 2, 64, "cellSize", "2 to 64 pixels");
     checkRange(backend, (int)BACKEND_AUTO, (int)BACKEND_OPENGL, "backend",
                "one of enum Backend, 0 to 4");

@@ -25,8 +25,14 @@ namespace linespace {
 //! How the votes of the chords are counted.
 enum Method
 {
-    METHOD_EXACT = 0,   //!< every chord of the image by its own raster, O(n^3): the oracle
-    METHOD_CASCADED = 1 //!< small cells first, then merged pairwise, O(n^2 log n)
+    METHOD_EXACT = 0,    //!< every chord of the image by its own raster, O(n^3): the oracle
+    METHOD_CASCADED = 1, //!< small cells first, then merged pairwise, O(n^2 log n)
+    /** Strips of columns and of rows, merged pairwise, of which only the bundles of chords with the
+    most votes are looked into (doc/algorithm.md, section 3b): the fastest for the strongest lines.
+    It runs on the host; detect refuses BACKEND_OPENCL and BACKEND_OPENGL. compute and computeLevel
+    give the tables of METHOD_CASCADED. The suppression must be SUPPRESS_RING with a radius of 1 or
+    2, in place of which 2 is used; cell size, candidate ratio, pool size and pruning are ignored. */
+    METHOD_STRIPS = 2
 };
 
 //! Which code counts them. All back ends give the same votes, bit by bit.
@@ -90,7 +96,7 @@ public:
     @param method one of #Method.
     @param cellSize wanted side of the cells of level 0 in pixels, 2 to 64; the cells that are
     really used follow from the image size (section 3), see getLevelCellSize. Ignored by
-    #METHOD_EXACT.
+    #METHOD_EXACT, and by detect with #METHOD_STRIPS.
     @param backend one of #Backend.
     */
     CV_WRAP static Ptr<LineSpaceDetector> create(int threshold = 0, int maxLines = 0,
