@@ -27,18 +27,22 @@ const double STRIP_SHARE = 0.75;
 //! Chords that climb at the same time, whatever the number of threads.
 const size_t ROUND = 32;
 
+//! Where so many lines were found, chords are left out that hardly have enough votes: an edge of one
+//! pixel has a third more votes on one chord than on the next, but where it is the only line, few
+//! others are in its place.
+const size_t MANY = 8;
+
 //! The exact votes that a chord hardly exceeds which the strips give so many.
 int mostExact(int votes)
 {
     return votes + votes / 10 + 2;
 }
 
-//! The same for a chord of the image that is near one of a family with so many exact votes. The two are
-//! sampled differently, which makes a third where an edge is one pixel wide, but little elsewhere: as
-//! soon as there are enough lines, what may be one more of the weakest is left out.
-int mostNearby(int votes, bool isFull)
+//! The same for a chord of the image that is near one of a family with so many exact votes: the two
+//! are sampled differently.
+int mostNearby(int votes, bool isStrict)
 {
-    return votes + votes / (isFull ? 16 : 3) + 2;
+    return votes + votes / (isStrict ? 16 : 3) + 2;
 }
 
 //! The smallest bundles, by T, whose chords may have a line in the interval, and some around them.
@@ -155,7 +159,7 @@ private:
     size_t next_, ordered_;
 };
 
-void climb(const EdgePlanes& planes, const StripFamily families[2], int needed, bool isFull,
+void climb(const EdgePlanes& planes, const StripFamily families[2], int needed, bool isStrict,
            bool isReference, std::vector<Attempt>& round)
 {
     parallel_for_(
@@ -173,7 +177,7 @@ void climb(const EdgePlanes& planes, const StripFamily families[2], int needed, 
                 if (ParallelClimber::canClimb(family) && !planes.isWeighted())
                 {
                     const int votes = parallels.climb(family, chord.y, chord.t);
-                    if (mostNearby(votes, isFull) < needed ||
+                    if (mostNearby(votes, isStrict) < needed ||
                         !family.imageChord(chord.y, chord.t, attempt.from))
                         continue;
                 }
@@ -191,8 +195,9 @@ std::vector<Candidate> climbToMaxima(const EdgePlanes& planes, const Plan& plan,
     const Cell& frame = plan.frame();
     const size_t cap = wanted.lines == 0 ? ALL : 512 + 8 * wanted.lines;
     // What is near a maximum would be a duplicate of its line; what is near where another chord started
-    // may come to one of its own.
-    EndIndex started(frame, std::min(wanted.distance, 1.)), taken(frame, wanted.distance);
+    // may come to one of its own, if all are wanted.
+    EndIndex started(frame, wanted.lines > 0 ? wanted.distance : std::min(wanted.distance, 1.)),
+        taken(frame, wanted.distance);
     Best best(wanted.requirement.threshold, wanted.lines);
     Queue queue(chords);
     std::vector<Candidate> found;
@@ -201,12 +206,13 @@ std::vector<Candidate> climbToMaxima(const EdgePlanes& planes, const Plan& plan,
     do
     {
         const int needed = best.needed();
+        const bool isStrict = wanted.lines > 0 && found.size() >= std::min(MANY, wanted.lines);
         round.clear();
         for (; round.size() < ROUND && !queue.empty() && count + round.size() < cap; queue.pop())
         {
             Attempt attempt;
             attempt.chord = queue.front();
-            if (best.isFull() && mostExact(attempt.chord.votes) < needed)
+            if (isStrict && mostExact(attempt.chord.votes) < needed)
                 break;
             if (!families[attempt.chord.family].imageChord(attempt.chord.y, attempt.chord.t,
                                                            attempt.from) ||
@@ -219,7 +225,7 @@ std::vector<Candidate> climbToMaxima(const EdgePlanes& planes, const Plan& plan,
             round.push_back(attempt);
         }
         count += round.size();
-        climb(planes, families, needed, best.isFull(), isReference, round);
+        climb(planes, families, needed, isStrict, isReference, round);
         for (size_t i = 0; i < round.size(); ++i)
         {
             const Candidate& maximum = round[i].maximum;
