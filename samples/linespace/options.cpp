@@ -19,7 +19,7 @@ namespace program {
 namespace {
 
 const char* const backendNames[] = {"auto", "reference", "cpu", "opencl", "opengl"};
-const char* const methodNames[] = {"exact", "cascaded"};
+const char* const methodNames[] = {"exact", "cascaded", "strips"};
 const char* const selectionNames[] = {"peaks", "explain"};
 
 const char* const examples =
@@ -220,7 +220,8 @@ std::optional<int> parse(int argc, char** argv, Options& o)
                             "Drop a line that stays within this distance of a stronger one"),
              group, "PIXELS", brief(o.minDistance))
         ->check(number(0, 10000));
-    describe(app.add_option("--method", o.method, "How votes are counted: exact (slow), cascaded"),
+    describe(app.add_option("--method", o.method,
+                            "How votes are counted: exact (slow), cascaded, strips"),
              group, "NAME", o.method)
         ->check(CLI::IsMember(listOf(methodNames)));
     describe(app.add_option("--cell-size", o.cellSize,

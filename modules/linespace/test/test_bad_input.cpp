@@ -105,10 +105,10 @@ TEST_P(Linespace_BadInput, vectors_are_images_of_one_row)
     detector->detect(rowAsMat, dxAsMat, dyAsMat, images);
     EXPECT_EQ(images, vectors);
     EXPECT_FALSE(images.empty());
-    Mat table, expected;
+    Mat table, sameTable;
     detector->compute(row, table);
-    detector->compute(rowAsMat, expected);
-    EXPECT_EQ(0, cvtest::norm(table, expected, NORM_INF));
+    detector->compute(rowAsMat, sameTable);
+    EXPECT_EQ(0, cvtest::norm(table, sameTable, NORM_INF));
 }
 
 TEST_P(Linespace_BadInput, mask)
@@ -264,7 +264,7 @@ TEST(Linespace_BadParameter, create)
                           {INT_MIN, 0, METHOD_CASCADED, 8, BACKEND_AUTO},
                           {0, -1, METHOD_CASCADED, 8, BACKEND_AUTO},
                           {0, INT_MIN, METHOD_CASCADED, 8, BACKEND_AUTO},
-                          {0, 0, 2, 8, BACKEND_AUTO},
+                          {0, 0, 3, 8, BACKEND_AUTO},
                           {0, 0, -1, 8, BACKEND_AUTO},
                           {0, 0, METHOD_CASCADED, 1, BACKEND_AUTO},
                           {0, 0, METHOD_CASCADED, 65, BACKEND_AUTO},
@@ -320,10 +320,10 @@ TEST(Linespace_BadParameter, setters)
                                                {
                                                    d.setMethod(-1);
                                                }},
-                                              {"method", "2",
+                                              {"method", "3",
                                                [](D& d)
                                                {
-                                                   d.setMethod(2);
+                                                   d.setMethod(3);
                                                }},
                                               {"cellSize", "1",
                                                [](D& d)
