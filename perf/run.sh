@@ -15,7 +15,8 @@
 # --data   folder of OpenCV's sample photographs, default that of OpenCV's sources
 # LINESPACE_NEWER_OPENCV_PYTHON names Pythons with newer versions of cv2, separated by colons, which
 # take part; without it the newest opencv-python-headless of OpenCV 4 and that of OpenCV 5 are
-# installed into build/newer-opencv/4 and /5, or left out where that fails.
+# installed into build/newer-opencv/4 and /5, or left out where that fails. A run of all sections
+# looks for a newer one, and keeps what there is where that fails.
 # OPENCV_OPENCL_DEVICE chooses the device of the OpenCL column; by default PoCL's, a processor.
 set -euo pipefail
 
@@ -61,16 +62,21 @@ cmake --build --preset release --target linespace_benchmark ${ways:+linespace_op
 
 # Pythons whose cv2 is newer than the OpenCV that everything else uses are separated by colons.
 newer=${LINESPACE_NEWER_OPENCV_PYTHON:-}
-# The newest OpenCV of a major version is installed once and added: add_newer_python MAJOR
+# add_newer_python MAJOR: installs the newest OpenCV of a major version and adds it.
 add_newer_python() {
     local folder=build/newer-opencv/$1 package="opencv-python-headless==$1.*"
-    if [[ ! -e $folder/ready && -z $quick ]]; then
+    local pip=("$folder/bin/pip" --quiet --disable-pip-version-check)
+    if [[ -n $quick ]]; then
+        : # what an earlier run has installed takes part
+    elif [[ ! -e $folder/ready ]]; then
         rm -rf "$folder"
         {
-            /usr/bin/python3 -m venv "$folder" &&
-                "$folder/bin/pip" install --quiet --disable-pip-version-check "$package" &&
+            /usr/bin/python3 -m venv "$folder" && "${pip[@]}" install "$package" &&
                 touch "$folder/ready"
         } || echo "Left out: a newer OpenCV ($package cannot be installed)" >&2
+    elif ((${#only[@]} == 0)); then
+        "${pip[@]}" install --upgrade "$package" ||
+            echo "Kept: the OpenCV in $folder ($package cannot be looked for)" >&2
     fi
     if [[ -e $folder/ready ]]; then
         newer+=${newer:+:}$folder/bin/python

@@ -16,7 +16,10 @@ install(TARGETS opencv_linespace EXPORT opencv_linespace)
 install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.hpp")
 install(EXPORT opencv_linespace FILE opencv_linespace-targets.cmake DESTINATION "${package_dir}")
 
-math(EXPR linespace_next_minor "${OpenCV_VERSION_MINOR} + 1")
+# The library needs the OpenCV that it was built with, of any patch level.
+set(opencv_least "${OpenCV_VERSION_MAJOR}.${OpenCV_VERSION_MINOR}")
+math(EXPR next_minor "${OpenCV_VERSION_MINOR} + 1")
+set(opencv_below "${OpenCV_VERSION_MAJOR}.${next_minor}")
 configure_file(cmake/opencv_linespace-config.cmake.in opencv_linespace-config.cmake @ONLY)
 write_basic_package_version_file(opencv_linespace-config-version.cmake
   COMPATIBILITY SameMinorVersion)
@@ -25,5 +28,6 @@ install(FILES "${CMAKE_CURRENT_BINARY_DIR}/opencv_linespace-config.cmake"
               cmake/linespace_find_opencv.cmake
         DESTINATION "${package_dir}")
 
+list(TRANSFORM CMAKE_DL_LIBS PREPEND "-l" OUTPUT_VARIABLE pkgconfig_private_libs)
 configure_file(cmake/opencv_linespace.pc.in opencv_linespace.pc @ONLY)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/opencv_linespace.pc" DESTINATION "${pkgconfig_dir}")
