@@ -45,7 +45,7 @@ void ChordBand::read(const EdgePlanes& planes, Chord chord, int bin)
     position -= (raster.first - first_) * step;
     for (int i = 0; i < count_; ++i, position += step)
     {
-        // Of a column that the line leaves through a corner, the pixels nearest to it.
+        // Where the line has left the frame, the pixels nearest to it are read.
         const int minor = (int)(position >> 32),
                   start = std::max(-BEFORE, std::min(minor, across) - BEFORE);
         starts_[i] = (short)start;

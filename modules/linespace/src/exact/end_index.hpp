@@ -2,7 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://www.apache.org/licenses/LICENSE-2.0.
 
-// Which chords of an image have both ends near those of another one.
+// This index tells whether a chord of an image has both ends near those of another one.
 
 #ifndef OPENCV_LINESPACE_END_INDEX_HPP
 #define OPENCV_LINESPACE_END_INDEX_HPP

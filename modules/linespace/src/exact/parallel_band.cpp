@@ -110,7 +110,8 @@ int ParallelClimber::climb(const StripFamily& family, int& y, int& t)
             }
         if (nextI == i && nextD == d)
         {
-            // From one band to the next the bin may change, and with it the votes: not for ever.
+            // The bin, and with it the votes, may change from one band to the next, so that a climb
+            // could go round in circles: the number of bands is limited.
             if ((std::abs(i) <= 1 && std::abs(d) <= 2) || bands == MOST_BANDS)
                 break;
             // Its neighbours are not all in the band.

@@ -21,7 +21,7 @@ namespace {
 
 const size_t ALL = std::numeric_limits<size_t>::max();
 
-//! Of the votes that are required, strips must give at least three quarters.
+//! The strips must give at least this share of the votes that are required.
 const double STRIP_SHARE = 0.75;
 
 //! Chords that climb at the same time, whatever the number of threads.
@@ -83,7 +83,7 @@ StripRequest requestFor(const Plan& plan, const StripWanted& wanted)
     request.subBundles =
         wanted.lines == 0 ? ALL : subBundles * std::max<size_t>(100, wanted.lines) / 100;
     request.square = wanted.lines == 0 ? 2 : 4;
-    // Of all bins the fewest votes.
+    // A bundle may hold chords of any bin, so the bin that requires the fewest votes counts.
     std::vector<int> least;
     const std::vector<std::vector<int>> byBin = wanted.requirement.leastVotes(STRIP_SHARE);
     for (size_t bin = 0; bin < byBin.size(); ++bin)

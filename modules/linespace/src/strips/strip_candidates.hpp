@@ -16,7 +16,7 @@
 namespace cv {
 namespace linespace {
 
-//! Which chords are asked for.
+//! This describes the chords that are asked for.
 struct StripWanted
 {
     const Requirement& requirement; //!< that they meet

@@ -45,8 +45,8 @@ struct StripRequest
     //! For chords of a family that see so many columns of the image, how many votes are of interest;
     //! empty: any that are more than the threshold.
     std::vector<int> leastVotes[2];
-    //! Of each family, which T of the smallest bundles (of 4) of the whole image are of interest, from
-    //! start to end - 1.
+    //! The rows T of bundles of side LEAF_BUNDLE that are of interest in each family, from start to
+    //! end - 1.
     Range slopes[2];
 };
 
@@ -83,8 +83,8 @@ private:
         //! in `leaves`.
         std::vector<int> leafOffsets;
         NodeRows frame;
-        //! Of each bundle of the frame, in its rows: the fewest columns of the image that a chord at
-        //! one of its corners sees.
+        //! The fewest columns of the image that a chord at a corner of a bundle sees, for all bundles of
+        //! the frame in the order of its rows.
         std::vector<ushort> visible;
     };
     //! What one thread merges a strip in.
