@@ -316,8 +316,14 @@ private:
     }
 
     //! What METHOD_STRIPS cannot do, the others can.
-    void checkForStrips() const
+    void checkForStrips(const char* name, Size size) const
     {
+        // Places in the tables are counted by int.
+        if (StripCandidates::memory(size, parameters_.edgeWeights) > INT_MAX)
+            CV_Error_(Error::StsOutOfRange,
+                      ("%s has %d x %d pixels: its tables must be at most 2047 MiB for "
+                       "METHOD_STRIPS; METHOD_CASCADED has other limits",
+                       name, size.width, size.height));
         const int radius = parameters_.suppressionRadius;
         if (parameters_.suppression != SUPPRESS_RING || radius < 1 || radius > MAX_ASCENT_RADIUS)
             CV_Error_(Error::StsBadArg,
@@ -443,7 +449,7 @@ private:
                        size.width, size.height));
         counting.method = methodFor(writesTable);
         if (counting.method == METHOD_STRIPS)
-            checkForStrips();
+            checkForStrips(name, size);
         const Ptr<const Plan> plan = planFor(size, counting.method);
         counting.level = level < 0 ? plan->levelCount() - 1 : level;
         checkRange(counting.level, 0, plan->levelCount() - 1, "level",

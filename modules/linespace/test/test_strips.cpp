@@ -12,6 +12,7 @@
 #include "test_support.hpp"
 
 #include <cfloat>
+#include <climits>
 
 namespace opencv_test {
 namespace {
@@ -370,6 +371,10 @@ TEST(Linespace_Strips, memory_limit)
     EXPECT_EQ("",
               wrongException([&]() { detector->detect(Mat1b(Size(1000, 1000), (uchar)0), lines); },
                              {"memoryLimit", "1000 x 1000"}));
+    // Places in tables are counted by int, whatever the limit.
+    detector->setMemoryLimit(INT_MAX);
+    EXPECT_EQ("", wrongException([&]() { detector->detect(Mat1b(1, 200000, (uchar)0), lines); },
+                                 {"edges", "200000 x 1", "METHOD_CASCADED"}));
 }
 
 } // namespace
